@@ -9,6 +9,7 @@
 
 #include "engine/case/blade_track.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
+#include "engine/geometry/mesh_files/load_meshes.hpp"
 #include "engine/geometry/overlap.hpp"
 
 namespace pliant {
@@ -122,10 +123,20 @@ void warn_of_bodies_that_touch(const Case& a_case, std::vector<std::string>& war
 
 }  // namespace
 
+void load_meshes(Case& a_case) {
+  for (BodyCase& body : a_case.bodies) load_meshes(body.geometry);
+  for (BoundaryCase& boundary : a_case.boundaries) load_meshes(boundary.geometry);
+}
+
 Box<3> box_of_bodies(const Case& a_case) {
   Box<3> all;
   for (const BodyCase& body : a_case.bodies) all.grow(bounding_box(body.geometry));
   return all;
+}
+
+bool has_boundary(const Case& a_case, BoundaryCase::Kind kind) {
+  return std::ranges::any_of(
+      a_case.boundaries, [kind](const BoundaryCase& boundary) { return boundary.kind == kind; });
 }
 
 bool have_contact(const Case& a_case, std::array<int, 2> bodies) {

@@ -9,8 +9,14 @@
 
 namespace pliant {
 
+/// Loads the meshes of bodies and boundaries that are not loaded yet. Throws MeshError.
+void load_meshes(Case& a_case);
+
 /// A box around all bodies at t = 0 [m].
 Box<3> box_of_bodies(const Case& a_case);
+
+/// Whether a boundary is of this kind.
+bool has_boundary(const Case& a_case, BoundaryCase::Kind kind);
 
 /// Whether a [[contact]] names both bodies, in either order.
 bool have_contact(const Case& a_case, std::array<int, 2> bodies);

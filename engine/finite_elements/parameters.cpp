@@ -6,14 +6,7 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
   auto& method = parameters.as<Parameters>();
   visit("pressure", method.pressure,
         {.meaning = "where the pressure is evaluated", .example = R"("averaged")"});
-  visit("integrator", method.integrator,
-        {.meaning = "when the forces of a step act", .example = R"("leapfrog")"});
-  visit("damping", NumberOrWord{method.damping, "adaptive", "a rate"},
-        {.meaning = R"(mass-proportional damping rate (PB.10), or "adaptive" for critical damping )"
-                    "of the present motion (PB.65)",
-         .unit = "1/s",
-         .example = "0.5",
-         .limits = not_negative});
+  point_based::visit_motion_keys(visit, method.integrator, method.damping);
 }
 
 }  // namespace pliant::finite_elements

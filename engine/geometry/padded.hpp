@@ -15,4 +15,12 @@ Vector padded(const Point<D>& x) {
   return v;
 }
 
+/// The reverse.
+template <int D>
+Point<D> unpadded(const Vector& v) {
+  Point<D> x;
+  std::copy_n(v.begin(), D, x.begin());
+  return x;
+}
+
 }  // namespace pliant

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "engine/geometry/mesh_files/load_meshes.hpp"
+#include "engine/case/placement.hpp"
 #include "engine/method/step_length.hpp"
 #include "engine/output/error.hpp"
 
@@ -14,8 +14,7 @@ namespace pliant {
 
 Solver::Solver(const Case& settings, const SolverOptions& options)
     : settings_(settings), workers_(options.threads) {
-  for (BodyCase& body : settings_.bodies) load_meshes(body.geometry);
-  for (BoundaryCase& boundary : settings_.boundaries) load_meshes(boundary.geometry);
+  load_meshes(settings_);
 }
 
 double Solver::next_step(double longest) const {

@@ -18,6 +18,17 @@ bool has_cuts(const Case& settings, const BodyCase& body) {
                      [number](const CutCase& cut) { return cut.body == number; });
 }
 
+void visit_motion_keys(MethodKeys& visit, Integrator& integrator, std::optional<double>& damping) {
+  visit("integrator", integrator,
+        {.meaning = "when the forces of a step act", .example = R"("leapfrog")"});
+  visit("damping", NumberOrWord{damping, "adaptive", "a rate"},
+        {.meaning = R"(mass-proportional damping rate (PB.10), or "adaptive" for critical damping )"
+                    "of the present motion (PB.65)",
+         .unit = "1/s",
+         .example = "0.5",
+         .limits = not_negative});
+}
+
 void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
   auto& method = parameters.as<Parameters>();
   visit("nodes", method.nodes,
@@ -49,14 +60,7 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
                     "octrees",
          .example = "0.1",
          .limits = {0, 2, true, true, "from 0 to 2"}});
-  visit("integrator", method.integrator,
-        {.meaning = "when the forces of a step act", .example = R"("leapfrog")"});
-  visit("damping", NumberOrWord{method.damping, "adaptive", "a rate"},
-        {.meaning = R"(mass-proportional damping rate (PB.10), or "adaptive" for critical damping )"
-                    "of the present motion (PB.65)",
-         .unit = "1/s",
-         .example = "0.5",
-         .limits = not_negative});
+  visit_motion_keys(visit, method.integrator, method.damping);
   visit("stiffness_damping", method.stiffness_damping,
         {.meaning = "stiffness-proportional damping time (PB.9), which damps high frequencies most",
          .unit = "s",

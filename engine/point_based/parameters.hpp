@@ -56,6 +56,8 @@ constexpr int nodes_around(int dimension) { return dimension == 2 ? 8 : 26; }
 /// Whether blades of the case cut one of its bodies.
 bool has_cuts(const Case& settings, const BodyCase& body);
 
+/// The keys of the motion of nodes.
+void visit_motion_keys(MethodKeys& visit, Integrator& integrator, std::optional<double>& damping);
 void visit_keys(MethodKeys& visit, MethodParameters& parameters);
 
 }  // namespace pliant::point_based

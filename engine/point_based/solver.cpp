@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/case/checks/stability.hpp"
+#include "engine/geometry/padded.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/point_based/bonds/node_frequency.hpp"
 #include "engine/point_based/nodes/place_nodes.hpp"
@@ -118,11 +119,9 @@ StepFailure Solver<T, D>::failure(const StepResult& result) const {
 template <class T, int D>
 void Solver<T, D>::put_blade(std::size_t cut, const std::array<double, 3>& from,
                              const std::array<double, 3>& to) {
-  Point<D> begin, end;
-  std::copy_n(from.begin(), D, begin.begin());
-  std::copy_n(to.begin(), D, end.begin());
   const int owner = this->settings().cuts.at(cut).body;
-  this->state().cuts[owner]->put_blade(cut, begin, end, this->state().bodies[owner]);
+  this->state().cuts[owner]->put_blade(cut, unpadded<D>(from), unpadded<D>(to),
+                                       this->state().bodies[owner]);
 }
 
 template <class T, int D>

@@ -35,20 +35,6 @@ namespace pliant::point_based {
 using scheduler::Phase;
 using enum Group;
 
-namespace {
-
-/// [axis][node] of a block.
-template <class T, int D>
-void copy_velocities(const Body<T, D>& body, const NodeBlock& block, std::vector<T>& velocities) {
-  velocities.clear();
-  for (const Buffer<T>& component : body.velocity) {
-    const T* first = component.get() + block.first;
-    velocities.insert(velocities.end(), first, first + block.nodes);
-  }
-}
-
-}  // namespace
-
 template <class T, int D>
 Step<T, D>::Step(State<T, D>& state, const Case& settings,
                  const kernels::PointBasedTable<T, D>& kernels)
@@ -70,7 +56,7 @@ void Step<T, D>::prepare_blocks() {
   results_.assign(state_.blocks.size(), {});
   inertia_.assign(state_.blocks.size(), 0);
   damped_.assign(state_.blocks.size(), 0);
-  stiffness_.assign(state_.blocks.size(), 0);
+  force_changes_.prepare_blocks(state_.blocks.size());
   loads_.prepare_blocks();
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
@@ -192,7 +178,7 @@ template <class T, int D>
 StepResult Step<T, D>::fold() {
   if (!contact_.is_expected()) meet_walls();
   StepResult result;
-  double inertia = 0, damped = 0, stiffness = 0;
+  double inertia = 0, damped = 0;
   for (std::size_t b = 0; b < results_.size() && result.non_finite < 0; ++b) {
     result.non_finite = results_[b].non_finite;
     result.failed_block = static_cast<int>(b);
@@ -200,8 +186,7 @@ StepResult Step<T, D>::fold() {
   }
   for (const double of_block : inertia_) inertia += of_block;
   for (const double of_block : damped_) damped += of_block;
-  for (const double of_block : stiffness_) stiffness += of_block;
-  if (stiffness > 0 && inertia > 0) result.rayleigh = stiffness / inertia;
+  result.rayleigh = undeformed::rayleigh_quotient(force_changes_.power(), inertia);
   for (const auto& of_body : state_.cuts) {
     if (of_body) state_.energy.cut_work += of_body->fold();
   }
@@ -255,32 +240,14 @@ void Step<T, D>::move(int block) {
   }
   if (damping > 0 || body.is_followed()) arguments.mass = body.mass.get();
   work_.begin_motion(block, body, local, power(block));
-  thread_local std::vector<T> before;
-  if (body.is_followed()) copy_velocities(body, body.blocks[local], before);
+  if (body.is_followed()) force_changes_.begin(block, body, local);
   const kernels::PointMotionSums sums = kernels_.advance(arguments);
-  if (body.is_followed()) stiffness_[block] = follow(body, local, before);
+  if (body.is_followed()) force_changes_.end(block, body, local);
   inertia_[block] = sums.inertia;
   // Nodes whose velocities change sign from step to step lose little, (TL.28).
   damped_[block] = sums.inertia_of_means;
   work_.hold(block, body, local);
   if (!bodies_touch()) end_motion(block);
-}
-
-// The velocities before the kick have moved the nodes since the forces were known last.
-template <class T, int D>
-double Step<T, D>::follow(Body<T, D>& body, int local, std::span<const T> before) {
-  const NodeBlock& block = body.blocks[local];
-  const T* force = body.force.get() + kernels::point_stride * block.first_point();
-  double power = 0;
-  for (int i = 0; i < block.nodes; ++i) {
-    for (int a = 0; a < D; ++a) {
-      T& previous = body.previous_force[a][block.first + i];
-      const T present = force[kernels::point_stride * i + a];
-      power += double{before[a * block.nodes + i]} * (previous - present);
-      previous = present;
-    }
-  }
-  return power;
 }
 
 template <class T, int D>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
+#include "engine/point_based/forces/force_changes.hpp"
 #include "engine/point_based/forces/node_loads.hpp"
 #include "engine/point_based/state.hpp"
 #include "engine/undeformed/advance.hpp"
@@ -66,10 +66,6 @@ class Step {
   /// Power of loads and gravity on a block at the present velocities [W].
   EnergyBudget power(int block) const;
 
-  /// Returns u.(f(t - dt') - f(t)) of (PB.65) for the velocities [axis][node] `before` the kick
-  /// [W], and keeps the forces for the next step.
-  double follow(Body<T, D>& body, int local, std::span<const T> before);
-
   struct Owned {
     Body<T, D>& body;
     int local;
@@ -91,9 +87,9 @@ class Step {
   undeformed::WallContact<T, D> contact_;
   undeformed::BodyContact<T, D> body_contact_;
   std::vector<kernels::PointForcesResult> results_;  ///< [block]
-  std::vector<double> inertia_;    ///< [block] sum of m u^2 before the step, with damping [J]
-  std::vector<double> damped_;     ///< [block] the part of it that damping acts on [J]
-  std::vector<double> stiffness_;  ///< [block] sum of u.(f(t - dt') - f(t)) of (PB.65) [W]
+  std::vector<double> inertia_;  ///< [block] sum of m u^2 before the step, with damping [J]
+  std::vector<double> damped_;   ///< [block] the part of it that damping acts on [J]
+  ForceChanges<T, D> force_changes_;
 };
 
 extern template class Step<double, 2>;

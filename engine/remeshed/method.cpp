@@ -104,10 +104,8 @@ bool has_loads(const Case& a_case) {
 }
 
 bool has_no_slip_walls(const Case& a_case) {
-  return std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& boundary) {
-    return boundary.kind == BoundaryCase::Kind::fixed ||
-           boundary.kind == BoundaryCase::Kind::moving_wall;
-  });
+  using enum BoundaryCase::Kind;
+  return has_boundary(a_case, fixed) || has_boundary(a_case, moving_wall);
 }
 
 // How often the fastest wave passes through the longest half of the bodies.
@@ -123,10 +121,10 @@ double passages_of_waves(const Case& a_case) {
 // Measured for cantilevers, docs/decisions/0062.
 void warn_of_slow_tractions(const Case& a_case, std::vector<std::string>& warnings) {
   constexpr double slow = 30;  // passages
-  const bool has_tractions = std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& b) {
-    return b.kind == BoundaryCase::Kind::traction;
-  });
-  if (!has_tractions || !has_no_slip_walls(a_case) || passages_of_waves(a_case) < slow) return;
+  if (!has_boundary(a_case, BoundaryCase::Kind::traction) || !has_no_slip_walls(a_case) ||
+      passages_of_waves(a_case) < slow) {
+    return;
+  }
   warnings.emplace_back(
       "a traction along a face bends bodies too little while it lasts, by up to 8 % with 8 "
       "particles across and 5 % with 12; take method = \"total_lagrangian\" for slow loads");
@@ -157,15 +155,10 @@ bool is_round(const Shape& shape) {
 
 // Measured for parts of rings and of hollow balls, docs/decisions/0038.
 void warn_of_planes_of_symmetry(const Case& a_case, std::vector<std::string>& warnings) {
-  const auto has = [&a_case](BoundaryCase::Kind kind) {
-    return std::ranges::any_of(a_case.boundaries,
-                               [kind](const BoundaryCase& b) { return b.kind == kind; });
-  };
+  using enum BoundaryCase::Kind;
   const bool are_round = std::ranges::any_of(
       a_case.bodies, [](const BodyCase& body) { return is_round(body.geometry); });
-  if (!are_round || !has(BoundaryCase::Kind::slip_wall) || !has(BoundaryCase::Kind::pressure)) {
-    return;
-  }
+  if (!are_round || !has_boundary(a_case, slip_wall) || !has_boundary(a_case, pressure)) return;
   warnings.emplace_back(
       "curved surfaces under pressure move too little where they meet slip walls, by up to 30 % "
       "with 8 particles across and 17 % with 12; take method = \"total_lagrangian\", or the whole "

@@ -129,10 +129,9 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
 template <class T, int D>
 void StageWork<T, D>::advance(int block, int stage) {
   const auto [body, local] = state_.owner(block);
-  const BoundaryValues<D>& values = boundary_values_[stage];
-  work_[block].load_work +=
-      stage_weight[stage] * time_step_ * power_of_loads<T, D>(body, local, stage, values);
-  if (needs_momentum_) lone_walls_.begin(block, stage, values);
+  const LoadsOnBlock<D> loads = loads_on_block<T, D>(body, local, stage, boundary_values_[stage]);
+  work_[block].load_work += stage_weight[stage] * time_step_ * loads.power;
+  if (needs_momentum_) lone_walls_.begin(block, stage, loads.force);
   results_[block] = particles_.advance(block, stage);
   if (needs_momentum_) lone_walls_.end(block, stage);
   keep_on_fits(body, local, stage, time_step_, state_.boundaries);

@@ -63,7 +63,7 @@ Step<T, D>::Step(State<T, D>& state, const Case& settings,
       work_(state, settings, kernels),
       contact_(state, settings, kernels),
       momentum_(state, settings),
-      motion_(state, settings) {}
+      motion_(state, settings, work_.weighs_held_bodies()) {}
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {

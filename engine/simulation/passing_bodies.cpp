@@ -144,8 +144,8 @@ std::string passing_tool_warning(const Solver& solver) {
   if (tool == nullptr) return {};
   return fmt::format(
       "warning: t = {:.6g} s: the contact wall `{}` has got between the particles of the surface "
-      "of a "
-      "body: its force is too small from now on; press in a stiff body with a [[contact]] instead",
+      "of a body: its force is too small from now on; press in a stiff body with a [[contact]] "
+      "instead",
       solver.clock().time, tool->name);
 }
 

@@ -8,6 +8,7 @@
 
 #include "engine/case/checks/stability.hpp"
 #include "engine/case/method_rules.hpp"
+#include "engine/case/placement.hpp"
 #include "engine/method/step_failure.hpp"
 #include "engine/simulation/watch.hpp"
 
@@ -41,9 +42,7 @@ std::string better_in_contact(const Case& settings) {
   if (is_remeshed(settings) && !settings.contacts.empty()) {
     return ", or method = \"total_lagrangian\" where bodies stay in contact";
   }
-  const bool has_tools = std::ranges::any_of(settings.boundaries, [](const BoundaryCase& boundary) {
-    return boundary.kind == BoundaryCase::Kind::contact_wall;
-  });
+  const bool has_tools = has_boundary(settings, BoundaryCase::Kind::contact_wall);
   if (settings.method == "total_lagrangian" && has_tools) {
     return ", or a stiff body with a [[contact]] in place of a wall that is pressed in deep";
   }

@@ -3,6 +3,7 @@
 #include "engine/total_lagrangian/observe/field_views.hpp"
 #include "engine/total_lagrangian/observe/frame.hpp"
 #include "engine/total_lagrangian/observe/measure.hpp"
+#include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/step.hpp"
 #include "engine/undeformed/solver.hpp"
 

@@ -140,7 +140,7 @@ StepResult Step<T, D>::fold() {
       result.failed_block = static_cast<int>(b);
     }
   }
-  if (stiffness > 0 && inertia > 0) result.rayleigh = stiffness / inertia;
+  result.rayleigh = undeformed::rayleigh_quotient(stiffness, inertia);
   boundary_forces_.fold(inertia, bodies_touch() ? std::nullopt : std::optional(damped));
   result.overlap = body_contact_.deepest();
   return result;

@@ -34,6 +34,11 @@ struct StepResult {
   double rayleigh = 0;  ///< dt omega^2 of (TL.10), without mass scaling [1/s]; 0 unless computed
 };
 
+/// `StepResult::rayleigh` from the sums of u.(F(t - dt') - F(t)) [W] and of m u^2 [J].
+inline double rayleigh_quotient(double stiffness, double inertia) {
+  return stiffness > 0 && inertia > 0 ? stiffness / inertia : 0;
+}
+
 /// The rate of adaptive damping after a step, (TL.10) [1/s].
 inline double critical_damping(const Advance& advance, const StepResult& result,
                                double mass_scaling) {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/geometry/mesh_files/load_meshes.hpp"
+#include "engine/case/placement.hpp"
 #include "engine/geometry/overlap.hpp"
 
 namespace pliant::undeformed {
@@ -12,11 +12,8 @@ namespace {
 /// How deep a body lies in a slip wall at t = 0 [m], or 0 if that is less than half a spacing.
 double depth_in_slip_wall(const Case& a_case, const BodyCase& body, const BoundaryCase& boundary) {
   if (boundary.kind != BoundaryCase::Kind::slip_wall) return 0;
-  Shape tissue = body.geometry, wall = boundary.geometry;
-  load_meshes(tissue);
-  load_meshes(wall);
   const double spacing = a_case.discretisation.spacing;
-  const double depth = overlap(wall, tissue, spacing, a_case.dimension);
+  const double depth = overlap(boundary.geometry, body.geometry, spacing, a_case.dimension);
   return depth > spacing / 2 ? depth : 0;
 }
 
@@ -24,13 +21,14 @@ double depth_in_slip_wall(const Case& a_case, const BodyCase& body, const Bounda
 
 Case ended_at_slip_walls(const Case& a_case, bool (*has_elements)(const Shape&)) {
   Case ended = a_case;
+  load_meshes(ended);
   for (BodyCase& body : ended.bodies) {
     if (has_elements(body.geometry)) continue;
     Shape shape;
     shape.kind = Shape::Kind::subtract;
     shape.operands = {body.geometry};
-    for (const BoundaryCase& boundary : a_case.boundaries) {
-      if (depth_in_slip_wall(a_case, body, boundary) > 0) {
+    for (const BoundaryCase& boundary : ended.boundaries) {
+      if (depth_in_slip_wall(ended, body, boundary) > 0) {
         shape.operands.push_back(boundary.geometry);
       }
     }

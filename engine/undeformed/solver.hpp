@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/geometry/padded.hpp"
 #include "engine/method/field_views.hpp"
 #include "engine/method/solver.hpp"
 #include "engine/method/step_failure.hpp"
@@ -213,8 +214,7 @@ void Solver<State, Step, Measurer>::move_to_output() {
 template <class State, class Step, class Measurer>
 StepFailure Solver<State, Step, Measurer>::failure(const Overlap& overlap) const {
   const auto& bodies = settings().contacts[overlap.contact].bodies;
-  Point<D> place;
-  std::copy_n(overlap.place.begin(), D, place.begin());
+  const Point<D> place = unpadded<D>(overlap.place);
   const std::vector<std::string> later = {smaller_step(settings()), "let them meet more slowly",
                                           "use a finer spacing"};
   return failed_step(

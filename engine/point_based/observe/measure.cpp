@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "engine/geometry/padded.hpp"
-#include "engine/lattice/point_algebra.hpp"
 #include "engine/method/no_value.hpp"
 #include "engine/method/velocity_error.hpp"
 #include "engine/point_based/cut_faces/cut_cells.hpp"
@@ -17,13 +16,6 @@
 #include "engine/point_based/surface/surface.hpp"
 
 namespace pliant::point_based {
-
-namespace {
-
-constexpr double coincident = 1e-9;  // distance of a point from a node, of that to the farthest one
-constexpr double margin = 1.2;       // gives the farthest node a weight
-
-}  // namespace
 
 template <class T, int D>
 auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
@@ -63,8 +55,7 @@ template <class T, int D>
 std::optional<std::int64_t> Measurer<T, D>::nearest_node(int index, const Vector& point) const {
   const Body<T, D>& body = state_.bodies[index];
   const std::span<const CutSurface<D>> cuts = state_.cut_surfaces(index);
-  Point<D> place;
-  std::copy_n(point.begin(), D, place.begin());
+  const Point<D> place = unpadded<D>(point);
   double least = std::numeric_limits<double>::infinity();
   std::int64_t nearest = -1;
   body.for_each_node([&](std::int64_t slot) {
@@ -82,40 +73,13 @@ std::optional<std::int64_t> Measurer<T, D>::nearest_node(int index, const Vector
   return nearest;
 }
 
-// (PB.64). Where the gradient varies, that of the nearest node alone may be far from the one
-// between the nodes.
 template <class T, int D>
 double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
   const Body<T, D>& body = state_.bodies[m.body];
   const std::optional<std::int64_t> nearest = nearest_node(m.body, m.point);
   if (!nearest) return no_value;
-  const std::span<const CutSurface<D>> cuts = state_.cut_surfaces(m.body);
-  Point<D> place;
-  std::copy_n(m.point.begin(), D, place.begin());
-  std::vector<std::int64_t> near = {*nearest};
-  body.for_each_bond(body.block_of(*nearest), *nearest,
-                     [&](int, std::int64_t other, const Point<D>&, double) {
-                       if (!first_crossing<D>(body.start[other], place, cuts))
-                         near.push_back(other);
-                     });
-  double reach = 0;
-  for (const std::int64_t slot : near)
-    reach = std::max(reach, norm<D>(difference<D>(place, body.start[slot])));
-  double sum = 0, weights = 0;
-  for (const std::int64_t slot : near) {
-    const Point<D> r = difference<D>(place, body.start[slot]);
-    const double distance = norm<D>(r);
-    double displacement = body.displacement[m.axis][slot];
-    if (distance <= coincident * reach) return displacement;
-    const NodeState<D> node = node_state(body, body.block_of(slot), slot);
-    for (int a = 0; a < D; ++a) {
-      displacement += (node.gradient[D * m.axis + a] - (a == m.axis ? 1 : 0)) * r[a];
-    }
-    const double weight = std::pow((margin * reach - distance) / distance, 2);
-    sum += weight * displacement;
-    weights += weight;
-  }
-  return sum / weights;
+  return point_based::point_displacement(body, m.point, *nearest, m.axis,
+                                         state_.cut_surfaces(m.body));
 }
 
 template <class T, int D>

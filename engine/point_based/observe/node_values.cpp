@@ -1,11 +1,13 @@
 #include "engine/point_based/observe/node_values.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "engine/geometry/padded.hpp"
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/method/field_components.hpp"
 #include "engine/method/no_value.hpp"
 #include "engine/method/polynomial_fit.hpp"
@@ -33,36 +35,74 @@ double node_value(const Body<T, D>& body, std::int64_t slot, const std::string& 
   return strain_value<D>(gradient, field);
 }
 
+constexpr double margin = 1.2;       // gives the farthest node a weight
+constexpr double coincident = 1e-9;  // distance of a point from a node, of that to the farthest one
+
+/// A node, and the other ends of its bonds.
+template <class T, int D>
+std::vector<std::int64_t> with_neighbours(const Body<T, D>& body, std::int64_t node) {
+  std::vector<std::int64_t> nodes = {node};
+  body.for_each_bond(
+      body.block_of(node), node,
+      [&](int, std::int64_t other, const Point<D>&, double) { nodes.push_back(other); });
+  return nodes;
+}
+
+/// The largest distance of the nodes from `place`, with a margin.
+template <class T, int D>
+double reach_of(const Body<T, D>& body, const std::vector<std::int64_t>& nodes,
+                const Point<D>& place) {
+  double farthest = 0;
+  for (const std::int64_t slot : nodes) {
+    farthest = std::max(farthest, norm<D>(difference<D>(body.start[slot], place)));
+  }
+  return margin * farthest;
+}
+
 }  // namespace
 
 template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, std::int64_t nearest,
                       const std::string& field) {
-  std::vector<std::int64_t> around = {nearest};
-  body.for_each_bond(
-      body.block_of(nearest), nearest,
-      [&](int, std::int64_t other, const Point<D>&, double) { around.push_back(other); });
-  const auto from_point = [&](std::int64_t slot) {
-    Point<D> r;
-    for (int a = 0; a < D; ++a) r[a] = body.start[slot][a] - start[a];
-    return r;
-  };
-  const auto length = [](const Point<D>& r) {
-    double square = 0;
-    for (const double component : r) square += component * component;
-    return std::sqrt(square);
-  };
-  double farthest = 0;
-  for (const std::int64_t slot : around) farthest = std::max(farthest, length(from_point(slot)));
-  constexpr double margin = 1.2;  // gives the farthest node a weight
+  const Point<D> place = unpadded<D>(start);
+  const std::vector<std::int64_t> nodes = with_neighbours(body, nearest);
+  const double reach = reach_of<T, D>(body, nodes, place);
   LinearFit<D, 1> fit;
-  for (const std::int64_t slot : around) {
-    Point<D> r = from_point(slot);
-    for (double& component : r) component /= margin * farthest;
-    const double rest = 1 - length(r) * length(r);
+  for (const std::int64_t slot : nodes) {
+    Point<D> r = difference<D>(body.start[slot], place);
+    for (double& component : r) component /= reach;
+    const double rest = 1 - dot<D>(r, r);
     fit.add(r, rest * rest, {node_value(body, slot, field)});
   }
   return fit.solve() ? fit.value(0) : node_value(body, nearest, field);
+}
+
+// Where the gradient varies, that of the nearest node alone may be far from the one between the
+// nodes.
+template <class T, int D>
+double point_displacement(const Body<T, D>& body, const Vector& start, std::int64_t nearest,
+                          int axis, std::span<const CutSurface<D>> cuts) {
+  const Point<D> place = unpadded<D>(start);
+  std::vector<std::int64_t> nodes = with_neighbours(body, nearest);
+  std::erase_if(nodes, [&](std::int64_t slot) {
+    return slot != nearest && first_crossing<D>(body.start[slot], place, cuts);
+  });
+  const double reach = reach_of<T, D>(body, nodes, place);
+  double sum = 0, weights = 0;
+  for (const std::int64_t slot : nodes) {
+    const Point<D> r = difference<D>(place, body.start[slot]);
+    const double distance = norm<D>(r);
+    double displacement = body.displacement[axis][slot];
+    if (distance <= coincident * reach) return displacement;
+    const NodeState<D> node = node_state(body, body.block_of(slot), slot);
+    for (int a = 0; a < D; ++a) {
+      displacement += (node.gradient[D * axis + a] - (a == axis ? 1 : 0)) * r[a];
+    }
+    const double weight = std::pow((reach - distance) / distance, 2);
+    sum += weight * displacement;
+    weights += weight;
+  }
+  return sum / weights;
 }
 
 template <class T, int D>
@@ -109,9 +149,17 @@ template double material_value(const Body<float, 2>&, const Vector&, std::int64_
                                const std::string&);
 template double material_value(const Body<float, 3>&, const Vector&, std::int64_t,
                                const std::string&);
+template double point_displacement(const Body<double, 2>&, const Vector&, std::int64_t, int,
+                                   std::span<const CutSurface<2>>);
 template double mean_value(const Body<double, 2>&, const MeasurementCase&, double);
+template double point_displacement(const Body<double, 3>&, const Vector&, std::int64_t, int,
+                                   std::span<const CutSurface<3>>);
 template double mean_value(const Body<double, 3>&, const MeasurementCase&, double);
+template double point_displacement(const Body<float, 2>&, const Vector&, std::int64_t, int,
+                                   std::span<const CutSurface<2>>);
 template double mean_value(const Body<float, 2>&, const MeasurementCase&, double);
+template double point_displacement(const Body<float, 3>&, const Vector&, std::int64_t, int,
+                                   std::span<const CutSurface<3>>);
 template double mean_value(const Body<float, 3>&, const MeasurementCase&, double);
 template Vector start_of(const Body<double, 2>&, const Vector&);
 template Vector start_of(const Body<double, 3>&, const Vector&);

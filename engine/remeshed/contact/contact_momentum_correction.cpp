@@ -16,26 +16,6 @@ using scheduler::Phase;
 
 constexpr double no_wall = 1e-9;  ///< of sums of n n: no wall pushes along this direction
 
-/// Adds m and m u of a block's interior particles.
-template <class T, int D>
-void add_particles(const Body<T, D>& body, int block, double& mass, Point<D>& momentum) {
-  const FieldStore<T, D>& f = body.stage[0];
-  const T* m = f.get(Field::mass);
-  const Kind* kind = body.population.kind.get();
-  std::array<const T*, D> u;
-  for (int a = 0; a < D; ++a) u[a] = f.get(Field::velocity, a);
-  const Layout<D>& layout = body.population.layout;
-  const Block<D>& range = layout.blocks()[block];
-  for (int s = range.first_segment; s < range.first_segment + range.segment_count; ++s) {
-    const kernels::Segment<D>& segment = layout.segments()[s];
-    for (std::int64_t p = segment.first; p < segment.first + segment.count; ++p) {
-      if (kind[p] != Kind::interior) continue;
-      mass += m[p];
-      for (int a = 0; a < D; ++a) momentum[a] += double(m[p]) * u[a][p];
-    }
-  }
-}
-
 /// The part of a vector in the directions in which walls push, from the sum of their n n.
 template <int D>
 Point<D> along_normals(const std::array<double, D * D>& normals, const Point<D>& vector) {
@@ -56,16 +36,12 @@ Point<D> along_normals(const std::array<double, D * D>& normals, const Point<D>&
 /// sum m u/sum m over the interior particles.
 template <class T, int D>
 Point<D> mean_velocity(const Body<T, D>& body) {
-  double mass = 0;
-  Point<D> velocity = {};
+  ParticleMomentum<D> sum;
   for (std::size_t b = 0; b < body.population.layout.blocks().size(); ++b) {
-    double mass_of_block = 0;
-    Point<D> momentum = {};
-    add_particles<T, D>(body, static_cast<int>(b), mass_of_block, momentum);
-    mass += mass_of_block;
-    for (int a = 0; a < D; ++a) velocity[a] += momentum[a];
+    add<D>(sum, particle_momentum<T, D>(body, static_cast<int>(b), body.stage[0]));
   }
-  for (double& component : velocity) component /= mass;
+  Point<D> velocity = sum.momentum;
+  for (double& component : velocity) component /= sum.mass;
   return velocity;
 }
 
@@ -137,7 +113,7 @@ void ContactMomentumCorrection<T, D>::sum(int block) {
     const Point<D>& n = ghosts.normal[g];
     for (int i = 0; i < D * D; ++i) sum.normals[i] += n[i / D] * n[i % D];
   }
-  add_particles<T, D>(state_.bodies[body], local, sum.mass, sum.momentum);
+  add<D>(sum, particle_momentum<T, D>(state_.bodies[body], local, state_.bodies[body].stage[0]));
 }
 
 template <class T, int D>
@@ -145,10 +121,9 @@ void ContactMomentumCorrection<T, D>::fold_blocks() {
   of_body_.assign(of_body_.size(), {});
   for (std::size_t b = 0; b < sums_.size(); ++b) {
     Sum& sum = of_body_[state_.blocks[b].body];
-    sum.mass += sums_[b].mass;
+    add<D>(sum, sums_[b]);
     sum.is_held = sum.is_held || sums_[b].is_held;
     for (int i = 0; i < D * D; ++i) sum.normals[i] += sums_[b].normals[i];
-    for (int a = 0; a < D; ++a) sum.momentum[a] += sums_[b].momentum[a];
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/remeshed/contact/crossing_momentum.hpp"
+#include "engine/remeshed/state/particle_momentum.hpp"
 #include "engine/remeshed/state/state.hpp"
 #include "scheduler/phase.hpp"
 
@@ -55,9 +56,7 @@ class ContactMomentumCorrection {
   void add_phases(std::vector<scheduler::Phase>& phases, std::function<Impulses()> impulses);
 
  private:
-  struct Sum {
-    double mass = 0;
-    Point<D> momentum = {};
+  struct Sum : ParticleMomentum<D> {
     bool is_held = false;                   ///< by a wall or a load, whose impulse is in no budget
     std::array<double, D* D> normals = {};  ///< sum of n n of contact walls
   };

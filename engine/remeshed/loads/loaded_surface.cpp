@@ -120,20 +120,6 @@ PlaceVector<D> force_of(const std::array<std::int8_t, D>& load, const PlaceVecto
   return force;
 }
 
-/// Force of the loads on a facet at a stage [N, in 2D N/m].
-template <class T, int D>
-PlaceVector<D> force_on(const LoadedFacet<D>& facet, const Body<T, D>& body, int stage,
-                        const BoundaryValues<D>& values) {
-  const FieldStore<T, D>& moved = body.stage[drift_buffer_of(stage)];
-  std::array<PlaceVector<D>, D> places;
-  for (int i = 0; i < D; ++i) {
-    const FacetCorner<D>& corner = facet.corners[i];
-    places[i] = between<T, D>(moved, Field::drift, corner);
-    for (int a = 0; a < D; ++a) places[i][a] += corner.place[a];
-  }
-  return facet.share * force_of<D>(facet.load, area_of(places), values);
-}
-
 }  // namespace
 
 template <class T, int D>
@@ -171,51 +157,42 @@ void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& s
 }
 
 template <class T, int D>
-PlaceVector<D> force_of_loads(const Body<T, D>& body, int block, int stage,
-                              const BoundaryValues<D>& values) {
-  PlaceVector<D> force = PlaceVector<D>::Zero();
-  for (const LoadedFacet<D>& facet : body.loaded[block]) {
-    force += force_on<T, D>(facet, body, stage, values);
-  }
-  return force;
-}
-
-template <class T, int D>
-double power_of_loads(const Body<T, D>& body, int block, int stage,
-                      const BoundaryValues<D>& values) {
+LoadsOnBlock<D> loads_on_block(const Body<T, D>& body, int block, int stage,
+                               const BoundaryValues<D>& values) {
   const FieldStore<T, D>& state = body.stage[buffer_of(stage)];
-  double power = 0;
+  const FieldStore<T, D>& place = body.stage[drift_buffer_of(stage)];
+  LoadsOnBlock<D> loads;
   for (const LoadedFacet<D>& facet : body.loaded[block]) {
+    std::array<PlaceVector<D>, D> places;
     PlaceVector<D> velocity = PlaceVector<D>::Zero();
-    for (const FacetCorner<D>& corner : facet.corners) {
+    for (int i = 0; i < D; ++i) {
+      const FacetCorner<D>& corner = facet.corners[i];
+      places[i] = between<T, D>(place, Field::drift, corner);
+      for (int a = 0; a < D; ++a) places[i][a] += corner.place[a];
       velocity += between<T, D>(state, Field::velocity, corner) / D;
     }
-    power += force_on<T, D>(facet, body, stage, values).dot(velocity);
+    const PlaceVector<D> force = facet.share * force_of<D>(facet.load, area_of(places), values);
+    for (int a = 0; a < D; ++a) loads.force[a] += force[a];
+    loads.power += force.dot(velocity);
   }
-  return power;
+  return loads;
 }
 
 template void find_loaded_facets<double, 2>(const LatticeView<double, 2>&, int, const Shape&,
                                             const Boundaries<2>&, std::vector<LoadedFacet<2>>&);
-template PlaceVector<2> force_of_loads<double, 2>(const Body<double, 2>&, int, int,
-                                                  const BoundaryValues<2>&);
-template double power_of_loads<double, 2>(const Body<double, 2>&, int, int,
-                                          const BoundaryValues<2>&);
+template LoadsOnBlock<2> loads_on_block<double, 2>(const Body<double, 2>&, int, int,
+                                                   const BoundaryValues<2>&);
 template void find_loaded_facets<float, 2>(const LatticeView<float, 2>&, int, const Shape&,
                                            const Boundaries<2>&, std::vector<LoadedFacet<2>>&);
-template PlaceVector<2> force_of_loads<float, 2>(const Body<float, 2>&, int, int,
-                                                 const BoundaryValues<2>&);
-template double power_of_loads<float, 2>(const Body<float, 2>&, int, int, const BoundaryValues<2>&);
+template LoadsOnBlock<2> loads_on_block<float, 2>(const Body<float, 2>&, int, int,
+                                                  const BoundaryValues<2>&);
 template void find_loaded_facets<double, 3>(const LatticeView<double, 3>&, int, const Shape&,
                                             const Boundaries<3>&, std::vector<LoadedFacet<3>>&);
-template PlaceVector<3> force_of_loads<double, 3>(const Body<double, 3>&, int, int,
-                                                  const BoundaryValues<3>&);
-template double power_of_loads<double, 3>(const Body<double, 3>&, int, int,
-                                          const BoundaryValues<3>&);
+template LoadsOnBlock<3> loads_on_block<double, 3>(const Body<double, 3>&, int, int,
+                                                   const BoundaryValues<3>&);
 template void find_loaded_facets<float, 3>(const LatticeView<float, 3>&, int, const Shape&,
                                            const Boundaries<3>&, std::vector<LoadedFacet<3>>&);
-template PlaceVector<3> force_of_loads<float, 3>(const Body<float, 3>&, int, int,
-                                                 const BoundaryValues<3>&);
-template double power_of_loads<float, 3>(const Body<float, 3>&, int, int, const BoundaryValues<3>&);
+template LoadsOnBlock<3> loads_on_block<float, 3>(const Body<float, 3>&, int, int,
+                                                  const BoundaryValues<3>&);
 
 }  // namespace pliant::remeshed

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/boundaries/boundary_values.hpp"
-#include "engine/lattice/surface_pieces.hpp"
 #include "engine/remeshed/state/lattice_view.hpp"
 
 namespace pliant::remeshed {
@@ -13,14 +12,14 @@ template <class T, int D>
 void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& surface,
                         const Boundaries<D>& boundaries, std::vector<LoadedFacet<D>>& facets);
 
-/// Sum of the loads on the facets of a block at a stage [N, in 2D N/m].
+/// The loads on the facets of a block at a stage, (RP.72).
+template <int D>
+struct LoadsOnBlock {
+  Point<D> force = {};  ///< [N, in 2D N/m]
+  double power = 0;     ///< [W, in 2D W/m]
+};
 template <class T, int D>
-PlaceVector<D> force_of_loads(const Body<T, D>& body, int block, int stage,
-                              const BoundaryValues<D>& values);
-
-/// Power of the loads on the facets of a block at a stage [W, in 2D W/m], (RP.72).
-template <class T, int D>
-double power_of_loads(const Body<T, D>& body, int block, int stage,
-                      const BoundaryValues<D>& values);
+LoadsOnBlock<D> loads_on_block(const Body<T, D>& body, int block, int stage,
+                               const BoundaryValues<D>& values);
 
 }  // namespace pliant::remeshed

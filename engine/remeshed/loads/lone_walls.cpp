@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/remeshed/loads/loaded_surface.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 
 namespace pliant::remeshed {
@@ -61,62 +60,52 @@ void LoneWalls<T, D>::prepare(double time_step) {
 }
 
 template <class T, int D>
-void LoneWalls<T, D>::begin(int block, int stage, const BoundaryValues<D>& values) {
-  const auto owner = state_.owner(block);
-  const Body<T, D>& body = owner.body;
+void LoneWalls<T, D>::begin(int block, int stage, const Point<D>& force_of_loads) {
   Change& change = change_[block];
-  const PlaceVector<D> force = force_of_loads<T, D>(body, owner.block, stage, values);
-  for (int a = 0; a < D; ++a) change.by_loads[a] += stage_weight[stage] * time_step_ * force[a];
+  for (int a = 0; a < D; ++a) {
+    change.by_loads[a] += stage_weight[stage] * time_step_ * force_of_loads[a];
+  }
   if (stage > 0) return;
-  add(block, body.stage[0], -1, change);
-  change.is_held = std::ranges::any_of(body.population.ghosts[owner.block].wall,
-                                       [](int wall) { return wall >= 0; });
+  const auto [body, local] = state_.owner(block);
+  change.before = particle_momentum<T, D>(body, local, body.stage[0]);
+  change.is_held =
+      std::ranges::any_of(body.population.ghosts[local].wall, [](int wall) { return wall >= 0; });
 }
 
 template <class T, int D>
 void LoneWalls<T, D>::end(int block, int stage) {
   if (stage < 3) return;
-  change_[block].mass = 0;
-  add(block, state_.owner(block).body.stage[buffer_after(stage)], 1, change_[block]);
-}
-
-template <class T, int D>
-void LoneWalls<T, D>::add(int block, const FieldStore<T, D>& fields, double sign,
-                          Change& sum) const {
-  const auto owner = state_.owner(block);
-  const Body<T, D>& body = owner.body;
-  const T* mass = body.stage[0].get(Field::mass);
-  const Layout<D>& layout = body.population.layout;
-  layout.for_each_slot(layout.blocks()[owner.block], [&](std::int64_t p, const Cell<D>&) {
-    if (body.population.kind[p] != Kind::interior) return;
-    sum.mass += mass[p];
-    for (int a = 0; a < D; ++a) {
-      sum.momentum[a] += sign * mass[p] * fields.get(Field::velocity, a)[p];
-    }
-  });
+  const auto [body, local] = state_.owner(block);
+  change_[block].after = particle_momentum<T, D>(body, local, body.stage[buffer_after(stage)]);
 }
 
 // The particles of a body may have more mass together than the body, whose surface cuts their
 // cells.
 template <class T, int D>
 Point<D> LoneWalls<T, D>::impulse(const std::vector<Point<D>>& of_body_forces) const {
-  std::vector<Change> of_body(state_.bodies.size());
+  struct OfBody {
+    double mass = 0;
+    Point<D> gained = {}, by_loads = {};
+    bool is_held = false;
+  };
+  std::vector<OfBody> of_body(state_.bodies.size());
   for (std::size_t b = 0; b < change_.size(); ++b) {
-    Change& sum = of_body[state_.blocks[b].body];
-    sum.mass += change_[b].mass;
-    sum.is_held = sum.is_held || change_[b].is_held;
+    const Change& change = change_[b];
+    OfBody& sum = of_body[state_.blocks[b].body];
+    sum.mass += change.after.mass;
+    sum.is_held = sum.is_held || change.is_held;
     for (int a = 0; a < D; ++a) {
-      sum.momentum[a] += change_[b].momentum[a] - of_body_forces[b][a];
-      sum.by_loads[a] += change_[b].by_loads[a];
+      sum.gained[a] += change.after.momentum[a] - change.before.momentum[a] - of_body_forces[b][a];
+      sum.by_loads[a] += change.by_loads[a];
     }
   }
   Point<D> impulse = {};
   for (std::size_t b = 0; b < of_body.size(); ++b) {
-    const Change& change = of_body[b];
-    if (!change.is_held) continue;
+    const OfBody& sum = of_body[b];
+    if (!sum.is_held) continue;
     const double mass = state_.motion_budgets[b].mass;
-    const double share = mass > 0 ? mass / change.mass : 1;
-    for (int a = 0; a < D; ++a) impulse[a] += share * change.momentum[a] - change.by_loads[a];
+    const double share = mass > 0 ? mass / sum.mass : 1;
+    for (int a = 0; a < D; ++a) impulse[a] += share * sum.gained[a] - sum.by_loads[a];
   }
   return impulse;
 }

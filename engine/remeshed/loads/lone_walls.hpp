@@ -1,9 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
-#include "engine/boundaries/boundary_values.hpp"
+#include "engine/remeshed/state/particle_momentum.hpp"
 #include "engine/remeshed/state/state.hpp"
 
 namespace pliant::remeshed {
@@ -17,12 +18,16 @@ class LoneWalls {
 
   /// [axis] the wall that alone can act along it, or -1.
   const std::array<int, D>& along() const { return along_; }
+  /// Whether there is one along any axis.
+  bool exist() const {
+    return std::ranges::any_of(along_, [](int wall) { return wall >= 0; });
+  }
   /// Whether momentum gives all components of the force of a wall.
   bool have_all_of(int wall) const;
 
   void prepare(double time_step);
   /// Reads a block before a stage, and when the stage has written its state.
-  void begin(int block, int stage, const BoundaryValues<D>& values);
+  void begin(int block, int stage, const Point<D>& force_of_loads);
   void end(int block, int stage);
   /// [axis] impulse on the bodies in the step [N s], with [block] that of body forces.
   Point<D> impulse(const std::vector<Point<D>>& of_body_forces) const;
@@ -30,13 +35,10 @@ class LoneWalls {
  private:
   /// Of a block, or of a body, in one step.
   struct Change {
-    double mass = 0;         ///< sum over the particles [kg]
-    Point<D> momentum = {};  ///< change of their sum [N s]
+    ParticleMomentum<D> before, after;
     Point<D> by_loads = {};  ///< impulse [N s]
     bool is_held = false;    ///< whether there are ghosts of walls
   };
-  /// Adds `sign` times mass and momentum of the particles of a block.
-  void add(int block, const FieldStore<T, D>& fields, double sign, Change& sum) const;
 
   State<T, D>& state_;
   std::vector<std::array<bool, D>> acts_;  ///< [wall][axis]

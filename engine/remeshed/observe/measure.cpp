@@ -229,8 +229,7 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) {
 template <class T, int D>
 double Measurer<T, D>::point_value(const MeasurementCase& m) {
   const LatticeView<T, D>& view = nodes()[m.body];
-  Point<D> x;
-  std::copy_n(m.point.begin(), D, x.begin());
+  const Point<D> x = unpadded<D>(m.point);
   const bool is_strain = m.field.starts_with("strain");
   double value = 0, phi = 0;
   const auto add = [&](const Cell<D>& cell, double weight) {

@@ -92,7 +92,7 @@ void FreeMotionCorrection<T, D>::integrate(int block) {
   const auto owner = state_.owner(block);
   const Body<T, D>& body = owner.body;
   MotionIntegrals& sum = of_block_[block] = {};
-  if (!is_followed(body)) return;
+  if (!is_followed(body) || (is_held(body) && !weighs_held_bodies_)) return;
   const CoveredCells<T, D> cells({body, body.population, body.stage[0]}, state_.boundaries);
   cells.for_each(body.population.layout.blocks()[owner.block],
                  [&](std::int64_t p, const Cell<D>& cell, const Moments<D>& moments) {

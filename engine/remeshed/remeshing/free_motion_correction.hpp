@@ -34,8 +34,11 @@ namespace pliant::remeshed {
 template <class T, int D>
 class FreeMotionCorrection {
  public:
-  FreeMotionCorrection(State<T, D>& state, const Case& settings)
+  /// `weighs_held_bodies`: whether the budgets of bodies with ghosts of walls or loads hold their
+  /// masses.
+  FreeMotionCorrection(State<T, D>& state, const Case& settings, bool weighs_held_bodies)
       : state_(state),
+        weighs_held_bodies_(weighs_held_bodies),
         is_needed_(parameters_of(settings).free_motion == FreeMotion::kept),
         keeps_velocity_(settings.contacts.empty() && !state.boundaries.have_contact()) {}
 
@@ -61,7 +64,7 @@ class FreeMotionCorrection {
   void correct(int block);
 
   State<T, D>& state_;
-  bool is_needed_, keeps_velocity_;
+  bool weighs_held_bodies_, is_needed_, keeps_velocity_;
   std::vector<ForceOnBlock<D>> on_body_;  ///< of one stage
   std::vector<MotionIntegrals> of_block_, sums_;
   std::vector<Correction> of_body_;
