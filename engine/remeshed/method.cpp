@@ -147,24 +147,6 @@ void warn_of_resting_bodies(const Case& a_case, std::vector<std::string>& warnin
             "\"total_lagrangian\" for bodies that stay in contact");
 }
 
-bool is_round(const Shape& shape) {
-  using enum Shape::Kind;
-  return shape.kind == ball || shape.kind == capsule || shape.kind == cylinder ||
-         shape.kind == mesh || std::ranges::any_of(shape.operands, is_round);
-}
-
-// Measured for parts of rings and of hollow balls, docs/decisions/0038.
-void warn_of_planes_of_symmetry(const Case& a_case, std::vector<std::string>& warnings) {
-  using enum BoundaryCase::Kind;
-  const bool are_round = std::ranges::any_of(
-      a_case.bodies, [](const BodyCase& body) { return is_round(body.geometry); });
-  if (!are_round || !has_boundary(a_case, slip_wall) || !has_boundary(a_case, pressure)) return;
-  warnings.emplace_back(
-      "curved surfaces under pressure move too little where they meet slip walls, by up to 30 % "
-      "with 8 particles across and 17 % with 12; take method = \"total_lagrangian\", or the whole "
-      "body without planes of symmetry");
-}
-
 // Measured for plates, rings, discs and blocks under pistons with the defaults; bodies that only
 // rotate have smaller errors.
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
@@ -174,7 +156,6 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {8, "oscillations and collisions deviate by up to 20 %"}};
   warn_of_thin_bodies(a_case, errors, warnings);
   warn_of_slow_tractions(a_case, warnings);
-  warn_of_planes_of_symmetry(a_case, warnings);
   warn_of_resting_bodies(a_case, warnings);
 }
 

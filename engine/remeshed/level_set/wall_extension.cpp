@@ -26,11 +26,28 @@ void WallExtension<T, D>::extend(const Block<D>& block, const Boundaries<D>& bou
     const Point<D> x = lattice_.node(cell);
     extended[p] = std::max(extended[p], static_cast<T>(-boundaries.nearest_contact(x).second));
     if (!meets_walls) return;
-    const auto [wall, d] = boundaries.nearest_wall(x);
-    if (d < 0) {
-      extended[p] = static_cast<T>(behind_wall(x, boundaries.walls[wall].normal(x), -d));
+    if (boundaries.nearest_wall(x).second < 0) {
+      extended[p] = static_cast<T>(behind_walls(x, boundaries));
     }
   });
+}
+
+// Frictionless walls are planes of symmetry, (RP.106). Deeper mirror images would be in blocks that
+// are not neighbours.
+template <class T, int D>
+double WallExtension<T, D>::behind_walls(Point<D> x, const Boundaries<D>& boundaries) const {
+  const double deepest = 4.5 * lattice_.spacing;
+  for (int images = 0;; ++images) {
+    const auto [wall, distance] = boundaries.nearest_wall(x);
+    if (distance >= 0) break;
+    const Point<D> normal = boundaries.walls[wall].normal(x);
+    if (!boundaries.walls[wall].slips() || distance < -deepest || images == D) {
+      return along_line(x, normal, -distance);
+    }
+    for (int a = 0; a < D; ++a) x[a] -= 2 * distance * normal[a];
+  }
+  double value = 0;
+  return interpolate(x, value) ? value : far_;
 }
 
 // phi at `depth` behind a wall, (RP.100): the line through two points 1.5 h and 2.5 h in front of
@@ -38,8 +55,8 @@ void WallExtension<T, D>::extend(const Block<D>& block, const Boundaries<D>& bou
 // slopes steeper than at 45 degrees are kinks of phi. A surface that faces the wall ends where it
 // touches it; there the body continues behind the wall.
 template <class T, int D>
-double WallExtension<T, D>::behind_wall(const Point<D>& x, const Point<D>& normal,
-                                        double depth) const {
+double WallExtension<T, D>::along_line(const Point<D>& x, const Point<D>& normal,
+                                       double depth) const {
   constexpr double steepest = 0.7, meets_wall = 3;
   const double h = lattice_.spacing;
   Point<D> nearer = x, farther = x;

@@ -5,8 +5,9 @@
 
 namespace pliant::remeshed {
 
-/// phi extended linearly behind walls to which a body is attached; there it shows how the free
-/// surface would continue. At contact walls the body ends, (RP.54).
+/// phi extended behind walls to which a body is attached, as the free surface would continue there:
+/// mirrored at frictionless walls, linear behind the others. At contact walls the body ends,
+/// (RP.54).
 template <class T, int D>
 class WallExtension {
  public:
@@ -19,7 +20,8 @@ class WallExtension {
   void extend(const Block<D>& block, const Boundaries<D>& boundaries, T* extended) const;
 
  private:
-  double behind_wall(const Point<D>& x, const Point<D>& normal, double depth) const;
+  double behind_walls(Point<D> x, const Boundaries<D>& boundaries) const;
+  double along_line(const Point<D>& x, const Point<D>& normal, double depth) const;
   bool interpolate(const Point<D>& x, double& value) const;
 
   const Lattice<D>& lattice_;

@@ -88,6 +88,26 @@ TYPED_TEST(BehindWalls, plane_surfaces_run_on_exactly) {
   EXPECT_GT(behind, 20);
 }
 
+// (RP.106): remeshing has left no particles behind the wall.
+TYPED_TEST(BehindWalls, surfaces_are_mirrored_at_frictionless_walls) {
+  constexpr int D = TypeParam::dimension;
+  const double height = 3.1, deepest = 4.5 * spacing;
+  const auto plane = [](const Point<D>& x) { return 0.8 * x[0] + 0.6 * x[1] - 6.2; };
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::slip_wall), [&](const Point<D>& x) {
+    return x[1] < height - 2 * spacing ? 1e3 : plane({x[0], std::max(x[1], 2 * height - x[1])});
+  });
+  int behind = 0;
+  nodes.for_each_extended([&](Point<D> x, double value) {
+    if (x[1] >= height || height - x[1] > deepest) return;
+    x[1] = 2 * height - x[1];
+    // Next to the wall, the interpolation reads nodes behind it; beside the last ones, others.
+    if (x[1] - height < spacing || std::max(x[0], x[D - 1]) > upper * spacing) return;
+    ++behind;
+    EXPECT_NEAR(value, plane(x), 1e-12);
+  });
+  EXPECT_GT(behind, 20);
+}
+
 // (RP.54)
 TYPED_TEST(BehindWalls, bodies_end_at_contact_walls) {
   constexpr int D = TypeParam::dimension;
