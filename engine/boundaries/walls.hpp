@@ -31,6 +31,8 @@ class Wall {
   double distance(const Point<D>& x) const;
   /// Outward unit normal of the solid, towards the tissue.
   Point<D> normal(const Point<D>& x) const;
+  /// Place at t = 0 of the wall's material point that is now at x.
+  Vector at_rest(const Point<D>& x) const;
   /// Ratio of the area of the wall's surface to that of the parallel surface through x, which is at
   /// `depth` behind it [m]; 1 for plane walls.
   double spread(const Point<D>& x, double depth) const;
@@ -54,7 +56,6 @@ class Wall {
   void restore(const WallPose<D>& pose);
 
  private:
-  Vector at_rest(const Point<D>& x) const;           // place of the wall's material point at t = 0
   Point<D> shift(double t, double time_step) const;  // of its centre in a step
   double spin(double t) const;                       // [rad/s]
 

@@ -50,9 +50,11 @@ class LevelSet {
 
   /// The passes over one block, in this order; each reads the previous pass in neighbouring blocks.
   /// `valid` is 0 at nodes that remeshing left empty.
+  /// `initial_surface` is the free surface at t = 0.
   void extend_through_walls(const Block<D>& block, const Boundaries<D>& boundaries,
-                            const T* valid) {
-    const WallExtension<T, D> extension(*lattice_, *layout_, phi_, valid, far * lattice_->spacing);
+                            const Shape& initial_surface, const T* valid) {
+    const WallExtension<T, D> extension(*lattice_, *layout_, initial_surface, phi_, valid,
+                                        far * lattice_->spacing);
     extension.extend(block, boundaries, extended_);
   }
   void advance(const Block<D>& block, int pass);  ///< (RP.74), 0..first_order_passes - 1

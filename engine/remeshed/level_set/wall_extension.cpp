@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/corner_weights.hpp"
 
 namespace pliant::remeshed {
@@ -42,7 +43,7 @@ double WallExtension<T, D>::behind_walls(Point<D> x, const Boundaries<D>& bounda
     if (distance >= 0) break;
     const Point<D> normal = boundaries.walls[wall].normal(x);
     if (!boundaries.walls[wall].slips() || distance < -deepest || images == D) {
-      return along_line(x, normal, -distance);
+      return along_line(x, boundaries.walls[wall], -distance);
     }
     for (int a = 0; a < D; ++a) x[a] -= 2 * distance * normal[a];
   }
@@ -51,14 +52,15 @@ double WallExtension<T, D>::behind_walls(Point<D> x, const Boundaries<D>& bounda
 }
 
 // phi at `depth` behind a wall, (RP.100): the line through two points 1.5 h and 2.5 h in front of
-// it. Only a surface that meets the wall continues behind it. Far from one, phi keeps its value;
-// slopes steeper than at 45 degrees are kinks of phi. A surface that faces the wall ends where it
-// touches it; there the body continues behind the wall.
+// it, with the curvature of the initial surface. Only a surface that meets the wall continues
+// behind it; far from one, phi keeps its value. A surface that faced the wall from the start ends
+// where it touches it, and there the body continues behind the wall. Slopes above 1 are kinks of
+// phi.
 template <class T, int D>
-double WallExtension<T, D>::along_line(const Point<D>& x, const Point<D>& normal,
-                                       double depth) const {
-  constexpr double steepest = 0.7, meets_wall = 3;
+double WallExtension<T, D>::along_line(const Point<D>& x, const Wall<D>& wall, double depth) const {
+  constexpr double facing = 0.7, meeting = 3;
   const double h = lattice_.spacing;
+  const Point<D> normal = wall.normal(x);
   Point<D> nearer = x, farther = x;
   for (int a = 0; a < D; ++a) {
     nearer[a] += (depth + 1.5 * h) * normal[a];
@@ -66,10 +68,20 @@ double WallExtension<T, D>::along_line(const Point<D>& x, const Point<D>& normal
   }
   double first = 0, second = 0;
   if (!interpolate(nearer, first)) return far_;
-  if (!interpolate(farther, second) || std::abs(first) > meets_wall * h) return first;
-  const double rise = (first - second) / h, slope = std::clamp(rise, -steepest, steepest);
+  if (!interpolate(farther, second) || std::abs(first) > meeting * h) return first;
+  const auto initial = [&](const Point<D>& place) {
+    return signed_distance(initial_surface_, wall.at_rest(place), D);
+  };
+  const double initial_first = initial(nearer);
+  const double initial_slope = (initial_first - initial(farther)) / h;
+  const bool faced = initial_slope > facing;
+  const double rise = (first - second) / h, steepest = faced ? facing : 1;
+  const double slope = std::clamp(rise, -steepest, steepest);
   const double on_wall = first + slope * 1.5 * h;
-  return rise > steepest && on_wall < 0 ? on_wall : on_wall + slope * depth;
+  if (faced && rise > facing && on_wall < 0) return on_wall;
+  const double line = on_wall + slope * depth;
+  if (std::abs(initial_first) > meeting * h || std::abs(initial_slope) > facing) return line;
+  return line + initial(x) - (initial_first + initial_slope * (1.5 * h + depth));
 }
 
 template <class T, int D>

@@ -199,7 +199,8 @@ void Remeshing<T, D>::add_level_set(PhaseRows& rows) {
   const auto block = [this](int b) -> const Block<D>& { return body_.spare.layout.blocks()[b]; };
   rows.each("level set: walls", near(with_images(new_state) + with_images(marks)),
             own(whole(extended)), [this, block](int b) {
-              level_set_.extend_through_walls(block(b), boundaries_, fields_.valid());
+              level_set_.extend_through_walls(block(b), boundaries_, initial_surface_,
+                                              fields_.valid());
             });
   if (level_set_.is_first_order()) add_first_order_passes(rows);
   rows.each("level set: closest points", near(whole(extended)),

@@ -35,7 +35,7 @@ struct Passes {
     level_set.use(extended.data(), foot_of);
     const auto& table = kernels::RemeshedTable<double, D>::of(kernels::Isa::sse2);
     const Boundaries<D> none(std::vector<BoundaryCase>{});
-    each([&](const Block<D>& b) { level_set.extend_through_walls(b, none, valid.data()); });
+    each([&](const Block<D>& b) { level_set.extend_through_walls(b, none, {}, valid.data()); });
     for (int pass = 0; reinitialise && level_set.is_first_order() && pass < first_order_passes;
          ++pass) {
       each([&](const Block<D>& b) { level_set.advance(b, pass); });

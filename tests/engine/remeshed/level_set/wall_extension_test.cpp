@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/geometry/padded.hpp"
 #include "tests/engine/remeshed/level_set/node_values.hpp"
 
 namespace pliant::test {
@@ -24,7 +25,15 @@ BoundaryCase floor_at(double height, BoundaryCase::Kind kind) {
   return boundary;
 }
 
-/// phi as a function of the place of a node [m], and its extension behind the wall.
+Shape flat_surface() {
+  Shape surface;
+  surface.kind = Shape::Kind::half_space;
+  surface.normal = {0.8, 0.6, 0};
+  return surface;
+}
+
+/// phi as a function of the place of a node [m], and its extension behind the wall; the initial
+/// surface is flat.
 template <int D>
 struct Extension {
   template <class Phi>
@@ -44,7 +53,7 @@ struct Extension {
   /// Calls f(place, value) for every node.
   template <class F>
   void for_each_extended(F&& f) {
-    const WallExtension<double, D> extension(phi.lattice, phi.layout, phi.values.data(),
+    const WallExtension<double, D> extension(phi.lattice, phi.layout, initial, phi.values.data(),
                                              valid.data(), far);
     for (const Block<D>& block : phi.layout.blocks()) {
       extension.extend(block, boundaries, extended.data());
@@ -57,6 +66,7 @@ struct Extension {
   NodeValues<D> phi;
   std::vector<double> valid, extended;
   Boundaries<D> boundaries;
+  Shape initial = flat_surface();
 };
 
 template <class Space>
@@ -86,6 +96,52 @@ TYPED_TEST(BehindWalls, plane_surfaces_run_on_exactly) {
     EXPECT_NEAR(value, plane(x), 1e-12);
   });
   EXPECT_GT(behind, 20);
+}
+
+// A disc or ball of 7 m above the wall, cut by it 1 m below its centre.
+TYPED_TEST(BehindWalls, surfaces_keep_the_curvature_that_they_began_with) {
+  constexpr int D = TypeParam::dimension;
+  const double height = 3.1, radius = 7;
+  const Point<D> centre = [] {
+    Point<D> c;
+    c.fill(0.5);
+    c[1] = 4.1;
+    return c;
+  }();
+  const auto ball = [&](const Point<D>& x) {
+    double square = 0;
+    for (int a = 0; a < D; ++a) square += std::pow(x[a] - centre[a], 2);
+    return std::sqrt(square) - radius;
+  };
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::fixed),
+                     [&](const Point<D>& x) { return x[1] < height ? 1e3 : ball(x); });
+  nodes.initial.kind = Shape::Kind::ball;
+  nodes.initial.centre = padded<D>(centre);
+  nodes.initial.radius = radius;
+  int behind = 0;
+  nodes.for_each_extended([&](const Point<D>& x, double value) {
+    if (x[1] >= height || std::max(x[0], x[D - 1]) > upper * spacing) return;
+    if (std::abs(ball(x)) > 1.5 * spacing || height - x[1] > 4 * spacing) return;
+    ++behind;
+    EXPECT_NEAR(value, ball(x), 0.1 * spacing);
+  });
+  EXPECT_GT(behind, 10);
+}
+
+// A surface that comes down to the wall, and has 1.5 h above it phi = -1.3 h.
+TYPED_TEST(BehindWalls, surfaces_that_faced_the_wall_from_the_start_end_where_they_touch_it) {
+  constexpr int D = TypeParam::dimension;
+  const double height = 3.1, slope = 0.9;
+  const auto plane = [&](const Point<D>& x) { return 0.05 * spacing - slope * (x[1] - height); };
+  for (const bool faced : {false, true}) {
+    Extension<D> nodes(floor_at(height, BoundaryCase::Kind::fixed), plane);
+    nodes.initial.normal = faced ? Vector{0, -1, 0} : Vector{1, 0, 0};
+    nodes.for_each_extended([&](const Point<D>& x, double value) {
+      if (x[1] >= height || std::max(x[0], x[D - 1]) > upper * spacing) return;
+      const double touching = (0.05 - slope * 1.5 + 0.7 * 1.5) * spacing;
+      EXPECT_NEAR(value, faced ? touching : plane(x), 1e-12);
+    });
+  }
 }
 
 // (RP.106): remeshing has left no particles behind the wall.
