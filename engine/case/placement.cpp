@@ -139,6 +139,11 @@ bool has_boundary(const Case& a_case, BoundaryCase::Kind kind) {
       a_case.boundaries, [kind](const BoundaryCase& boundary) { return boundary.kind == kind; });
 }
 
+bool has_no_slip_walls(const Case& a_case) {
+  using enum BoundaryCase::Kind;
+  return has_boundary(a_case, fixed) || has_boundary(a_case, moving_wall);
+}
+
 bool have_contact(const Case& a_case, std::array<int, 2> bodies) {
   return std::ranges::any_of(a_case.contacts, [&](const ContactCase& contact) {
     return std::ranges::is_permutation(bodies, contact.bodies);

@@ -17,6 +17,8 @@ Box<3> box_of_bodies(const Case& a_case);
 
 /// Whether a boundary is of this kind.
 bool has_boundary(const Case& a_case, BoundaryCase::Kind kind);
+/// Whether it has walls that hold bodies, at rest or moving.
+bool has_no_slip_walls(const Case& a_case);
 
 /// Whether a [[contact]] names both bodies, in either order.
 bool have_contact(const Case& a_case, std::array<int, 2> bodies);

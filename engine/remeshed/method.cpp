@@ -103,11 +103,6 @@ bool has_loads(const Case& a_case) {
          });
 }
 
-bool has_no_slip_walls(const Case& a_case) {
-  using enum BoundaryCase::Kind;
-  return has_boundary(a_case, fixed) || has_boundary(a_case, moving_wall);
-}
-
 // How often the fastest wave passes through the longest half of the bodies.
 double passages_of_waves(const Case& a_case) {
   const Box<3> all = box_of_bodies(a_case);

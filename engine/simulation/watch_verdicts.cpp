@@ -49,9 +49,18 @@ std::string better_in_contact(const Case& settings) {
   return "";
 }
 
+/// Surfaces of remeshed bodies that swing between remeshings feed waves, more so if they lie at an
+/// angle to the lattice.
+std::string better_if_held(const Case& settings) {
+  return is_remeshed(settings) && has_no_slip_walls(settings)
+             ? ", or method = \"total_lagrangian\" for bodies that walls hold"
+             : "";
+}
+
 std::string remedy_for_created_energy(const Case& settings) {
-  return fmt::format("use a smaller time step or a finer spacing{}{} (or set checks.energy)",
-                     better_than_sph(settings), better_in_contact(settings));
+  return fmt::format("use a smaller time step or a finer spacing{}{}{} (or set checks.energy)",
+                     better_than_sph(settings), better_in_contact(settings),
+                     better_if_held(settings));
 }
 
 }  // namespace

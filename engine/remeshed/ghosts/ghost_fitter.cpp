@@ -4,6 +4,7 @@
 #include <atomic>
 #include <limits>
 
+#include "engine/remeshed/ghosts/lasting_correction.hpp"
 #include "engine/storage/push_tightly.hpp"
 #include "kernels/remeshed/ghosts/fit_coefficients.hpp"
 
@@ -20,6 +21,14 @@ constexpr int most_widenings = 5;
 // for a jump at the surface, which (RP.50) and (RP.51) damp.
 constexpr double narrowing = 1.5;
 
+// Within this distance from a no-slip wall [h], (RP.50) does nothing. Along walls that cut the
+// lattice at an angle, particles beside the corner are unstable with less than 2.4. Bodies that
+// take 0.42 of (RP.50), (RP.83), are not stable there with either, and lose more energy with 2.4.
+template <class T, int D>
+double rim_reach(const Body<T, D>& body, const Boundaries<D>& boundaries) {
+  return removes_lasting_correction(body, boundaries) ? 2.4 : 1;
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -31,6 +40,7 @@ GhostFitter<T, D>::GhostFitter(const Body<T, D>& body, const Population<T, D>& p
       ghosts_(ghosts),
       search_(body.lattice, population, level_set),
       boundaries_(boundaries),
+      rim_reach_(rim_reach(body, boundaries)),
       kernels_(table),
       used_(used) {}
 
@@ -51,7 +61,7 @@ void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const 
   // The curved fit overshoots where the solution is singular: at walls that hold the body, and
   // where they meet the free surface. A slip wall is a plane of symmetry without a corner.
   ghost.curved = wall == nullptr && corner_distance > fit_radius;
-  ghost.at_rim = wall == nullptr && corner_distance < 1;
+  ghost.at_rim = wall == nullptr && corner_distance < rim_reach_;
   for (int a = 0; a < D; ++a) {
     ghost.centre[a] = (foot[a] - body_.lattice.origin[a]) / h - 0.5;
   }
@@ -74,7 +84,7 @@ void GhostFitter<T, D>::finish() {
   const Lanes& lanes = scratch_.lanes;
   for (int l = 0; l < waiting_; ++l) {
     Waiting& ghost = scratch_.waiting[l];
-    if (ghost.at_rim || ghost.near_contact || lanes.fitted[l] == 0) {
+    if (ghost.near_contact || lanes.fitted[l] == 0) {
       fit_alone(ghost);
       continue;
     }
@@ -167,8 +177,6 @@ void GhostFitter<T, D>::fit_alone(Waiting& ghost) {
     fitted = fit_fully(ghost, terms);
   }
   if (!fitted) fit_poorly(ghost, terms);
-  // The traction that the fit finds there is the singular stress, not an outgoing wave.
-  if (ghost.at_rim) terms.surface = {};
   place(ghost, terms);
   T sum = 0;
   for (const FitParticle<D>& i : ghost.particles) {
@@ -216,9 +224,10 @@ void GhostFitter<T, D>::average(const Cell<D>& cell) {
 }
 
 // Sets the weight of (RP.43), and the cell next to the foot point as the origin of particle
-// offsets.
+// offsets. At rims the traction that the fit finds is the singular stress, not an outgoing wave.
 template <class T, int D>
 void GhostFitter<T, D>::place(const Waiting& ghost, Terms& terms) {
+  if (ghost.at_rim) terms.surface = {};
   const Position<D> broad = ghost.reach.broad();
   terms.steepness = static_cast<T>(ghost.reach.steepness());
   for (int a = 0; a < D; ++a) {

@@ -38,7 +38,7 @@ class GhostFitter {
     FitReach<D> reach;
     const Wall<D>* wall;
     bool curved;        ///< whether the fit (RP.44) has its last term
-    bool at_rim;        ///< whether the free surface meets a wall here
+    bool at_rim;        ///< whether the free surface meets a no-slip wall near here
     bool near_contact;  ///< whether a contact wall is near
     FitParticles<D> particles;
   };
@@ -72,6 +72,7 @@ class GhostFitter {
   BlockGhosts<T, D>& ghosts_;
   FitSearch<T, D> search_;
   const Boundaries<D>& boundaries_;
+  double rim_reach_;  ///< [h]
   const kernels::RemeshedTable<T, D>& kernels_;
   std::int32_t* used_;
   Scratch& scratch_ = scratch();

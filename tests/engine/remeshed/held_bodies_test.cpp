@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
@@ -146,6 +147,67 @@ TEST(held_bodies, bend_under_their_weight_as_they_should) {
   const std::vector<double> found = values_at(solver, 600);
   EXPECT_NEAR(found[0], -0.139, 0.01 * 0.139);
   EXPECT_NEAR(found[1], 0.0003 * 384, 1e-3 * 0.0003 * 384);
+}
+
+/// A beam of 5 m by 1 m, clamped at one end, under a small gravity across it and with `across`
+/// particles across; it lies at an angle to the lattice. In 3D it is 1 m wide.
+Case inclined_beam(int dimension, int across, double degrees, double end) {
+  const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+  const std::string z = dimension == 2 ? "" : ", 0";
+  const auto side = [&](double along, double beside, double x, double y) {
+    return fmt::format("{{ shape = \"half_space\", point = [{}, {}{}], normal = [{}, {}{}] }}",
+                       along * c - beside * s, along * s + beside * c, z, x, y, z);
+  };
+  return tests::read_text(fmt::format(
+                              R"toml(dimension = {}
+gravity = ["{}*min(t/4, 1)", "{}*min(t/4, 1)"{}]
+discretisation = {{ spacing = "1/{}", damping = "adaptive" }}
+time.end = {}
+[[body]]
+name = "beam"
+material = {{ model = "linear", youngs_modulus = 1000, poissons_ratio = 0.3, density = 1 }}
+geometry = {{ shape = "intersection", of = [{}, {}, {}, {}, {{ shape = "box", {} }}] }}
+[[boundary]]
+name = "clamp"
+kind = "fixed"
+geometry = {}
+)toml",
+                              dimension, 0.02 * s, -0.02 * c, dimension == 2 ? "" : ", \"0\"",
+                              across, end, side(5, 0, c, s), side(-5, 0, -c, -s),
+                              side(0, 0.5, -s, c), side(0, -0.5, s, -c),
+                              dimension == 2 ? "lower = [-9, -9], upper = [9, 9]"
+                                             : "lower = [-9, -9, -0.5], upper = [9, 9, 0.5]",
+                              side(0, 0, c, s)) +
+                          fmt::format(R"toml([[measurement]]
+name = "x"
+kind = "point_displacement"
+point = [{0}, {1}{2}]
+[[measurement]]
+name = "y"
+kind = "point_displacement"
+point = [{0}, {1}{2}]
+axis = "y"
+)toml",
+                                      4.9 * c, 4.9 * s, z));
+}
+
+template <int D>
+double bending_of_inclined_beam(int across, double degrees) {
+  constexpr double end = 8;
+  const Case settings = inclined_beam(D, across, degrees, end);
+  remeshed::Solver<double, D> solver(settings, {2, kernels::widest_supported()});
+  const std::vector<double> tip = values_at(solver, end);
+  return std::hypot(tip[0], tip[1]);
+}
+
+// At these angles the particles in the corner of clamp and side used to start moving by themselves.
+TEST(held_bodies, bend_alike_at_every_angle_to_the_lattice) {
+  const double straight = bending_of_inclined_beam<2>(12, 0);
+  for (const double degrees : {30, 40, 45}) {
+    EXPECT_NEAR(bending_of_inclined_beam<2>(12, degrees), straight, 0.03 * straight) << degrees;
+  }
+  const double solid = bending_of_inclined_beam<3>(5, 0);
+  EXPECT_NEAR(bending_of_inclined_beam<3>(5, 30), solid, 0.05 * solid);
 }
 
 /// A disc or ball with a hole, of radii 0.5 and 1 m, under a pressure in the hole of `pressure` Pa
