@@ -103,6 +103,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_thin_bodies(a_case, errors, warnings);
   warn_of_coarse_cuts(a_case, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, has_elements, warnings);
+  undeformed::warn_of_walls_off_the_lattice(a_case, has_elements, warnings);
 }
 
 // The bound of (PB.12) needs the nodes, which only the solver has.

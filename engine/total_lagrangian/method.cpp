@@ -1,4 +1,5 @@
 #include "engine/total_lagrangian/method.hpp"
+#include "engine/undeformed/slip_walls.hpp"
 
 #include <fmt/format.h>
 
@@ -63,6 +64,8 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr ThinBodyError narrow[] = {{6, "its displacement deviates by 10 to 20 %"}};
   warn_of_thin_bodies(a_case, thin, warnings);
   warn_of_narrow_openings(a_case, narrow, warnings);
+  undeformed::warn_of_walls_off_the_lattice(
+      a_case, [](const Shape&) { return false; }, warnings);
 }
 
 // Particles lie on the corners of all cells that the body fills, wholly or in part.

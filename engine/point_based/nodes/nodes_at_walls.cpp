@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
@@ -14,6 +16,7 @@ namespace {
 
 constexpr int points_to_a_side = 8;         // along a side of a node's cell
 constexpr double nearly_half = 0.5 + 1e-9;  // of the pitch, plus rounding
+constexpr double closest_on_walls = 0.25;   // [pitch]
 
 // The part of a node's cell outside no-slip walls, as a share of what the body fills of the cell.
 template <int D>
@@ -44,8 +47,11 @@ double volume_of(const Point<D>& cell) {
 template <int D>
 struct MovedNode {
   std::size_t node;
+  Point<D> from;    ///< where it was [m]
   Point<D> beside;  ///< one pitch farther from the wall [m]
   double distance;
+  double pitch;  ///< in that direction [m]
+  bool slides;   ///< along the wall
 };
 
 template <int D>
@@ -59,13 +65,41 @@ void move_onto_walls(const Boundaries<D>& boundaries, const Point<D>& pitch, std
     for (int a = 0; a < D; ++a) square += n[a] * pitch[a] * n[a] * pitch[a];
     const double along = std::sqrt(square);
     if (std::abs(distance) > nearly_half * along) continue;
+    const Point<D> from = x;
     Point<D> beside;
     for (int a = 0; a < D; ++a) {
       x[a] -= distance * n[a];
       beside[a] = x[a] + (along + distance) * n[a];
     }
-    if (!wall.slips()) moved.push_back({node, beside, distance / along});
+    moved.push_back({node, from, beside, distance / along, along, wall.slips()});
   }
+}
+
+// Where two nodes have come to nearly the same place of a wall, as two on a side of the body before
+// and behind the wall do, the one that was farther from the wall goes back.
+template <int D>
+void part(std::vector<MovedNode<D>>& moved, NodeCloud<D>& cloud) {
+  if (moved.empty()) return;
+  const NearestNodes<D> nearest(cloud.positions);
+  std::vector<double> way(cloud.positions.size(), 0);
+  for (const MovedNode<D>& one : moved) {
+    way[one.node] = std::max(way[one.node], std::abs(one.distance));
+  }
+  const auto goes_back = [&](const MovedNode<D>& one) {
+    const auto found = nearest.nearest(cloud.positions[one.node], 2);
+    if (found.size() < 2 || found[1].distance > closest_on_walls * one.pitch) return false;
+    const auto i = static_cast<std::size_t>(found[0].node);
+    const auto j = static_cast<std::size_t>(found[1].node);
+    const std::size_t other = i == one.node ? j : i;
+    return std::pair(way[one.node], one.node) > std::pair(way[other], other);
+  };
+  std::vector<Point<D>> positions = cloud.positions;
+  std::erase_if(moved, [&](const MovedNode<D>& one) {
+    if (!goes_back(one)) return false;
+    positions[one.node] = one.from;
+    return true;
+  });
+  cloud.positions = std::move(positions);
 }
 
 // A moved node and the next one share the gap between them equally, as all other nodes do.
@@ -75,6 +109,7 @@ void share_gaps(const std::vector<MovedNode<D>>& moved, const NodeCloud<D>& clou
   if (moved.empty()) return;
   const NearestNodes<D> nearest(cloud.positions);
   for (const MovedNode<D>& one : moved) {
+    if (one.slides) continue;
     const std::int32_t next = nearest.nearest(one.beside);
     const double given = cloud.volumes[one.node] * one.distance / 2;
     if (elastic[next] <= -given || elastic[one.node] <= given) continue;
@@ -103,6 +138,7 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
     }
     if (cloud.elements.empty()) move_onto_walls<D>(boundaries, cell, i, x, moved);
   }
+  part(moved, cloud);
   share_gaps(moved, cloud, elastic);
   return elastic;
 }

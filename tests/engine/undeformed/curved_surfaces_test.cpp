@@ -171,6 +171,32 @@ TEST(curved_surfaces, a_thick_cylinder_between_planes_of_symmetry_widens_as_in_c
   }
 }
 
+TEST(curved_surfaces, walls_off_the_lattice_are_warned_of_where_bodies_have_few_particles) {
+  const std::string ring = R"({ shape = "difference", of = [
+  { shape = "disc", centre = [0, 0], radius = 1 },
+  { shape = "disc", centre = [0, 0], radius = 0.5 }] })";
+  const auto warnings = [&](const std::string& method, double spacing, const std::string& wall) {
+    return warnings_of_method(tests::read_text(round_body(method, 2, spacing, ring) +
+                                               "[[boundary]]\nname = \"wall\"\n" + wall));
+  };
+  for (const std::string method : {"total_lagrangian", "point_based"}) {
+    for (const std::string wall :
+         {"kind = \"slip_wall\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = [1, "
+          "1] }\n",
+          "kind = \"fixed\"\ngeometry = { shape = \"disc\", centre = [0, 0], radius = 0.5 }\n"}) {
+      const std::vector<std::string> coarse = warnings(method, 0.0625, wall);
+      ASSERT_EQ(coarse.size(), 1u) << method << wall;
+      EXPECT_NE(coarse[0].find("at an angle to the lattice"), std::string::npos);
+      EXPECT_TRUE(warnings(method, 0.03, wall).empty());
+    }
+    EXPECT_TRUE(
+        warnings(method, 0.0625,
+                 "kind = \"slip_wall\"\ngeometry = { shape = \"half_space\", point = [0, 0], "
+                 "normal = [-2, 0] }\n")
+            .empty());
+  }
+}
+
 // The region of the pressure includes the planes of symmetry, on which no pressure acts.
 // Equilibrium of a quarter, or of an eighth of a hollow ball, determines their forces, also where
 // facets cut off the rims of the loaded surface.

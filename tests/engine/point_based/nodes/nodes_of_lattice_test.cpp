@@ -12,6 +12,7 @@
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/point_based/bonds/nearest_nodes.hpp"
 #include "engine/point_based/nodes/lattice_nodes.hpp"
+#include "engine/point_based/nodes/nodes_at_walls.hpp"
 
 namespace pliant::test {
 namespace {
@@ -147,6 +148,21 @@ TEST(lattice_nodes, of_a_rod_stand_in_columns) {
   for (const auto& x : cloud.positions) {
     EXPECT_NEAR(4 * x[2], std::round(4 * x[2]), 1e-5);
   }
+}
+
+// Both nodes are within half a pitch of the wall.
+TEST(lattice_nodes, two_on_both_sides_of_a_wall_do_not_meet_on_it) {
+  BoundaryCase wall;
+  wall.kind = BoundaryCase::Kind::fixed;
+  wall.geometry.kind = Shape::Kind::half_space;
+  wall.geometry.normal = {1, 0, 0};
+  const Boundaries<2> boundaries(std::vector<BoundaryCase>{wall});
+  point_based::NodeCloud<2> cloud;
+  cloud.positions = {{-0.35, 0.01}, {0.25, 0}, {1, 0}};
+  cloud.volumes = {1, 1, 1};
+  point_based::fit_to_walls<2>(boundaries, box({-9, -9, 0}, {9, 9, 0}), Point<2>{1, 1}, cloud);
+  EXPECT_EQ(cloud.positions[0], (Point<2>{-0.35, 0.01}));
+  EXPECT_EQ(cloud.positions[1], (Point<2>{0, 0}));
 }
 
 }  // namespace
