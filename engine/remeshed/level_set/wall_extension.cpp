@@ -8,6 +8,12 @@
 
 namespace pliant::remeshed {
 
+namespace {
+
+constexpr double meeting = 3;  // [h] surfaces farther from a wall do not meet it
+
+}  // namespace
+
 template <class T, int D>
 void WallExtension<T, D>::extend(const Block<D>& block, const Boundaries<D>& boundaries,
                                  T* extended) const {
@@ -28,27 +34,36 @@ void WallExtension<T, D>::extend(const Block<D>& block, const Boundaries<D>& bou
     extended[p] = std::max(extended[p], static_cast<T>(-boundaries.nearest_contact(x).second));
     if (!meets_walls) return;
     if (boundaries.nearest_wall(x).second < 0) {
-      extended[p] = static_cast<T>(behind_walls(x, boundaries));
+      extended[p] = static_cast<T>(continued(x, boundaries, 0));
     }
   });
 }
 
-// Frictionless walls are planes of symmetry, (RP.106). Deeper mirror images would be in blocks that
-// are not neighbours.
+// phi where it is known, and behind walls its continuation. Frictionless walls are planes of
+// symmetry, (RP.106). Next to one, phi at nodes behind it must not act on itself: there it follows
+// the parabola through two points in front. Deeper mirror images would be in blocks that are not
+// neighbours.
 template <class T, int D>
-double WallExtension<T, D>::behind_walls(Point<D> x, const Boundaries<D>& boundaries) const {
-  const double deepest = 4.5 * lattice_.spacing;
-  for (int images = 0;; ++images) {
-    const auto [wall, distance] = boundaries.nearest_wall(x);
-    if (distance >= 0) break;
-    const Point<D> normal = boundaries.walls[wall].normal(x);
-    if (!boundaries.walls[wall].slips() || distance < -deepest || images == D) {
-      return along_line(x, boundaries.walls[wall], -distance);
-    }
-    for (int a = 0; a < D; ++a) x[a] -= 2 * distance * normal[a];
+double WallExtension<T, D>::continued(const Point<D>& x, const Boundaries<D>& boundaries,
+                                      int images) const {
+  const double h = lattice_.spacing, deepest = 4.5 * h;
+  const auto [number, distance] = boundaries.nearest_wall(x);
+  if (distance >= 0) {
+    double value = 0;
+    return interpolate(x, value) ? value : far_;
   }
-  double value = 0;
-  return interpolate(x, value) ? value : far_;
+  const Wall<D>& wall = boundaries.walls[number];
+  const double depth = -distance;
+  if (!wall.slips() || depth > deepest || images == D) return along_line(x, wall, depth);
+  const auto above = [&, normal = wall.normal(x)](double height) {
+    Point<D> place = x;
+    for (int a = 0; a < D; ++a) place[a] += (depth + height) * normal[a];
+    return continued(place, boundaries, images + 1);
+  };
+  if (depth >= 1.5 * h) return above(depth);
+  const double first = above(1.5 * h), second = above(2.5 * h);
+  if (std::abs(first) > meeting * h || second >= far_) return first;
+  return first + (second - first) * (depth * depth / (h * h) - 2.25) / 4;
 }
 
 // phi at `depth` behind a wall, (RP.100): the line through two points 1.5 h and 2.5 h in front of
@@ -58,7 +73,7 @@ double WallExtension<T, D>::behind_walls(Point<D> x, const Boundaries<D>& bounda
 // phi.
 template <class T, int D>
 double WallExtension<T, D>::along_line(const Point<D>& x, const Wall<D>& wall, double depth) const {
-  constexpr double facing = 0.7, meeting = 3;
+  constexpr double facing = 0.7;
   const double h = lattice_.spacing;
   const Point<D> normal = wall.normal(x);
   Point<D> nearer = x, farther = x;

@@ -26,7 +26,7 @@ class WallExtension {
   void extend(const Block<D>& block, const Boundaries<D>& boundaries, T* extended) const;
 
  private:
-  double behind_walls(Point<D> x, const Boundaries<D>& boundaries) const;
+  double continued(const Point<D>& x, const Boundaries<D>& boundaries, int images) const;
   double along_line(const Point<D>& x, const Wall<D>& wall, double depth) const;
   bool interpolate(const Point<D>& x, double& value) const;
 

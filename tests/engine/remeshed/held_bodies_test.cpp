@@ -210,6 +210,38 @@ TEST(held_bodies, bend_alike_at_every_angle_to_the_lattice) {
   EXPECT_NEAR(bending_of_inclined_beam<3>(5, 30), solid, 0.05 * solid);
 }
 
+// A block of 1 m between two frictionless walls at 45 degrees to the lattice, pressed by 0.1 m.
+// The energy is that of the block along the lattice.
+TEST(held_bodies, between_inclined_slip_walls_are_pressed_as_along_the_lattice) {
+  const Case settings = tests::read_text(R"toml(dimension = 2
+discretisation = { spacing = 0.1, damping = "adaptive" }
+time.end = 4
+[[body]]
+name = "block"
+material = { model = "reduced_polynomial", coefficients = [192.3], compressibility = 0.0024, density = 1 }
+geometry = { shape = "intersection", of = [
+  { shape = "half_space", point = [0.70711, 0.70711], normal = [1, 1] },
+  { shape = "half_space", point = [0, 0], normal = [-1, -1] },
+  { shape = "half_space", point = [-0.353553, 0.353553], normal = [-1, 1] },
+  { shape = "half_space", point = [0.353553, -0.353553], normal = [1, -1] },
+  { shape = "box", lower = [-3, -3], upper = [3, 3] }] }
+[[boundary]]
+name = "moving"
+kind = "slip_wall"
+geometry = { shape = "half_space", point = [0, 0], normal = [1, 1] }
+displacement = ["0.070711*min(t/2, 1)", "0.070711*min(t/2, 1)"]
+[[boundary]]
+name = "resting"
+kind = "slip_wall"
+geometry = { shape = "half_space", point = [0.70711, 0.70711], normal = [-1, -1] }
+[[measurement]]
+name = "energy"
+kind = "strain_energy"
+)toml");
+  Solver solver(settings, {2, kernels::widest_supported()});
+  EXPECT_NEAR(values_at(solver, 4)[0], 5.92, 0.03 * 5.92);
+}
+
 /// A disc or ball with a hole, of radii 0.5 and 1 m, under a pressure in the hole of `pressure` Pa
 /// and with 8 particles across its wall; with the planes x = 0, y = 0 (and z = 0) as planes of
 /// symmetry if it is a `part`.
