@@ -15,6 +15,7 @@
 #include "engine/point_based/solver.hpp"
 #include "engine/undeformed/default_cfl.hpp"
 #include "engine/undeformed/slip_walls.hpp"
+#include "engine/undeformed/walls_off_the_lattice.hpp"
 
 namespace pliant::point_based {
 
@@ -103,7 +104,9 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_thin_bodies(a_case, errors, warnings);
   warn_of_coarse_cuts(a_case, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, has_elements, warnings);
-  undeformed::warn_of_walls_off_the_lattice(a_case, has_elements, warnings);
+  const bool have_elements = std::ranges::any_of(
+      a_case.bodies, [](const BodyCase& body) { return has_elements(body.geometry); });
+  if (!have_elements) undeformed::warn_of_walls_off_the_lattice(a_case, warnings);
 }
 
 // The bound of (PB.12) needs the nodes, which only the solver has.

@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "engine/case/checks/thickness.hpp"
 #include "engine/case/placement.hpp"
 #include "engine/geometry/overlap.hpp"
 
@@ -19,38 +15,6 @@ double depth_in_slip_wall(const Case& a_case, const BodyCase& body, const Bounda
   const double spacing = a_case.discretisation.spacing;
   const double depth = overlap(boundary.geometry, body.geometry, spacing, a_case.dimension);
   return depth > spacing / 2 ? depth : 0;
-}
-
-bool lies_along_lattice(const Shape& wall) {
-  if (wall.kind == Shape::Kind::box) return true;
-  if (wall.kind != Shape::Kind::half_space) return false;
-  constexpr double rounding = 1e-9;
-  const double largest =
-      std::max({std::abs(wall.normal[0]), std::abs(wall.normal[1]), std::abs(wall.normal[2])});
-  return std::ranges::count_if(wall.normal, [&](double component) {
-           return std::abs(component) > rounding * largest;
-         }) == 1;
-}
-
-/// Whether a ball is inside the body, which then has to follow its surface all around.
-bool is_core(const Shape& wall, const Box<3>& body, int dimension) {
-  if (wall.kind != Shape::Kind::ball) return false;
-  for (int a = 0; a < dimension; ++a) {
-    if (wall.centre[a] - wall.radius < body.lower[a]) return false;
-    if (wall.centre[a] + wall.radius > body.upper[a]) return false;
-  }
-  return true;
-}
-
-// Balls that bodies meet from one side cause errors of 2 % at most, and holes of collars meet the
-// free surface alone.
-bool is_off_the_lattice(const Case& a_case, const BoundaryCase& boundary) {
-  const Shape& wall = boundary.geometry;
-  if (boundary.kind == BoundaryCase::Kind::slip_wall) return !lies_along_lattice(wall);
-  const bool holds = boundary.kind == BoundaryCase::Kind::fixed ||
-                     boundary.kind == BoundaryCase::Kind::moving_wall;
-  const bool is_inclined = wall.kind == Shape::Kind::half_space && !lies_along_lattice(wall);
-  return holds && (is_inclined || is_core(wall, box_of_bodies(a_case), a_case.dimension));
 }
 
 }  // namespace
@@ -86,22 +50,6 @@ void warn_of_elements_in_slip_walls(const Case& a_case, bool (*has_elements)(con
           body.name, depth, boundary.name));
     }
   }
-}
-
-// Measured for parts of rings and for rings around a rigid core, docs/decisions/0038.
-void warn_of_walls_off_the_lattice(const Case& a_case, bool (*has_elements)(const Shape&),
-                                   std::vector<std::string>& warnings) {
-  static constexpr ThinBodyError errors[] = {
-      {13,
-       "displacements and forces deviate by 5 to 10 %, and within two spacings of a wall by more, "
-       "a wall is curved or lies at an angle to the lattice"}};
-  const bool have_elements = std::ranges::any_of(
-      a_case.bodies, [&](const BodyCase& body) { return has_elements(body.geometry); });
-  const bool are_along_lattice = std::ranges::none_of(
-      a_case.boundaries,
-      [&](const BoundaryCase& boundary) { return is_off_the_lattice(a_case, boundary); });
-  if (have_elements || are_along_lattice) return;
-  warn_of_thin_bodies(a_case, errors, warnings);
 }
 
 }  // namespace pliant::undeformed

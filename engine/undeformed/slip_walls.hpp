@@ -16,10 +16,4 @@ Case ended_at_slip_walls(const Case& a_case, bool (*has_elements)(const Shape&))
 void warn_of_elements_in_slip_walls(const Case& a_case, bool (*has_elements)(const Shape&),
                                     std::vector<std::string>& warnings);
 
-/// Warns of bodies of few particles at slip walls that are curved or lie at an angle to the
-/// lattice, and at balls and cylinders that hold them. Bodies of which `has_elements` is true have
-/// no lattice.
-void warn_of_walls_off_the_lattice(const Case& a_case, bool (*has_elements)(const Shape&),
-                                   std::vector<std::string>& warnings);
-
 }  // namespace pliant::undeformed

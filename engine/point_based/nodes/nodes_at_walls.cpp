@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -78,28 +79,30 @@ void move_onto_walls(const Boundaries<D>& boundaries, const Point<D>& pitch, std
 // Where two nodes have come to nearly the same place of a wall, as two on a side of the body before
 // and behind the wall do, the one that was farther from the wall goes back.
 template <int D>
-void part(std::vector<MovedNode<D>>& moved, NodeCloud<D>& cloud) {
-  if (moved.empty()) return;
-  const NearestNodes<D> nearest(cloud.positions);
-  std::vector<double> way(cloud.positions.size(), 0);
+void part(std::vector<MovedNode<D>>& moved, std::vector<Point<D>>& positions) {
+  std::map<std::size_t, double> ways;  // of each moved node, the longest
   for (const MovedNode<D>& one : moved) {
-    way[one.node] = std::max(way[one.node], std::abs(one.distance));
+    double& way = ways[one.node];
+    way = std::max(way, std::abs(one.distance));
   }
-  const auto goes_back = [&](const MovedNode<D>& one) {
-    const auto found = nearest.nearest(cloud.positions[one.node], 2);
-    if (found.size() < 2 || found[1].distance > closest_on_walls * one.pitch) return false;
-    const auto i = static_cast<std::size_t>(found[0].node);
-    const auto j = static_cast<std::size_t>(found[1].node);
-    const std::size_t other = i == one.node ? j : i;
-    return std::pair(way[one.node], one.node) > std::pair(way[other], other);
-  };
-  std::vector<Point<D>> positions = cloud.positions;
+  if (ways.size() < 2) return;
+  std::vector<std::size_t> nodes;
+  std::vector<Point<D>> places;
+  for (const auto& [node, way] : ways) {
+    nodes.push_back(node);
+    places.push_back(positions[node]);
+  }
+  const NearestNodes<D> nearest(places);
   std::erase_if(moved, [&](const MovedNode<D>& one) {
-    if (!goes_back(one)) return false;
+    const std::size_t own = std::ranges::lower_bound(nodes, one.node) - nodes.begin();
+    const auto found = nearest.nearest(places[own], 2);
+    if (found[1].distance > closest_on_walls * one.pitch) return false;
+    const auto first = static_cast<std::size_t>(found[0].node);
+    const std::size_t other = nodes[first == own ? found[1].node : first];
+    if (std::pair(ways[one.node], one.node) < std::pair(ways[other], other)) return false;
     positions[one.node] = one.from;
     return true;
   });
-  cloud.positions = std::move(positions);
 }
 
 // A moved node and the next one share the gap between them equally, as all other nodes do.
@@ -138,7 +141,7 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
     }
     if (cloud.elements.empty()) move_onto_walls<D>(boundaries, cell, i, x, moved);
   }
-  part(moved, cloud);
+  part<D>(moved, cloud.positions);
   share_gaps(moved, cloud, elastic);
   return elastic;
 }

@@ -1,26 +1,19 @@
 #include "engine/remeshed/loads/lone_walls.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "engine/geometry/plane_across.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 
 namespace pliant::remeshed {
 
 namespace {
 
-/// Whether a wall is a plane across `axis` along which bodies slip.
-bool is_slip_plane(const BoundaryCase& wall, int axis) {
-  constexpr double aligned = 1 - 1e-12;
-  return wall.kind == BoundaryCase::Kind::slip_wall &&
-         wall.geometry.kind == Shape::Kind::half_space &&
-         std::abs(wall.geometry.normal[axis]) > aligned;
-}
-
 /// Whether a wall can act on bodies along `axis`.
 bool can_act_along(const BoundaryCase& wall, int axis) {
+  if (wall.kind != BoundaryCase::Kind::slip_wall) return true;
   for (int other = 0; other < 3; ++other) {
-    if (other != axis && is_slip_plane(wall, other)) return false;
+    if (other != axis && is_plane_across(wall.geometry, other)) return false;
   }
   return true;
 }

@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
+#include "tests/engine/undeformed/loads.hpp"
 
 // Gravity, damping, tractions, reactions and the energy balance, against solutions in closed form.
 namespace pliant::test {
@@ -23,31 +22,6 @@ name = "block"
 geometry = { shape = "box", lower = [0, 0], upper = [1, 1] }
 material = { model = "linear", youngs_modulus = 200, poissons_ratio = 0.3, density = 2 }
 )";
-
-std::string half_space(const std::string& name, const std::string& kind, const std::string& point,
-                       const std::string& normal) {
-  return "[[boundary]]\nname = \"" + name + "\"\n" + kind +
-         "geometry = { shape = \"half_space\", point = " + point + ", normal = " + normal + " }\n";
-}
-
-std::string measurement(const std::string& name, const std::string& rest) {
-  return "[[measurement]]\nname = \"" + name + "\"\n" + rest;
-}
-
-std::map<std::string, double> values(Solver& solver) {
-  std::map<std::string, double> named;
-  const std::vector<double> measured = solver.measure();
-  for (std::size_t m = 0; m < measured.size(); ++m) {
-    named[solver.settings().measurements[m].name] = measured[m];
-  }
-  return named;
-}
-
-double balance(Solver& solver) {
-  const BodyIntegrals sum = solver.integrals();
-  const EnergyBudget budget = *solver.energy_budget();
-  return sum.kinetic_energy + sum.strain_energy - budget.work() + budget.damping;
-}
 
 TEST(body_forces, free_fall_is_exact) {
   const Case settings =

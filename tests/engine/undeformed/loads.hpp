@@ -6,7 +6,7 @@
 
 #include "engine/method/solver.hpp"
 
-/// Boundaries and measurements of cases with loads, for all methods on the undeformed body.
+/// Boundaries and measurements of cases with loads, for all methods.
 namespace pliant::test {
 
 inline std::string half_space(const std::string& name, const std::string& rest,
