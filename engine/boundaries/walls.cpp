@@ -218,6 +218,12 @@ bool Boundaries<D>::have_contact() const {
 }
 
 template <int D>
+bool Boundaries<D>::have_tractions() const {
+  return std::any_of(pressures.begin(), pressures.end(),
+                     [](const SurfacePressure<D>& load) { return load.is_traction(); });
+}
+
+template <int D>
 bool Boundaries<D>::have_attached_walls() const {
   return std::ranges::any_of(walls, [](const Wall<D>& wall) { return wall.is_attached(); });
 }

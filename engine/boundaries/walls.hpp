@@ -108,6 +108,9 @@ struct Boundaries final : Loads {
   void set_wall_velocity(std::size_t boundary, const std::array<double, 3>& velocity) override;
 
   bool have_contact() const;
+  bool have_tractions() const;
+  /// Whether a load, or -1 for none, is a traction.
+  bool is_traction(int load) const { return load >= 0 && pressures[load].is_traction(); }
   bool have_attached_walls() const;
   bool have_attached_slip_walls() const;
 

@@ -103,28 +103,6 @@ bool has_loads(const Case& a_case) {
          });
 }
 
-// How often the fastest wave passes through the longest half of the bodies.
-double passages_of_waves(const Case& a_case) {
-  const Box<3> all = box_of_bodies(a_case);
-  double longest = 0;
-  for (int a = 0; a < a_case.dimension; ++a) {
-    longest = std::max(longest, all.upper[a] - all.lower[a]);
-  }
-  return a_case.time.end * fastest_wave(a_case) / (longest / 2);
-}
-
-// Measured for cantilevers, docs/decisions/0062.
-void warn_of_slow_tractions(const Case& a_case, std::vector<std::string>& warnings) {
-  constexpr double slow = 30;  // passages
-  if (!has_boundary(a_case, BoundaryCase::Kind::traction) || !has_no_slip_walls(a_case) ||
-      passages_of_waves(a_case) < slow) {
-    return;
-  }
-  warnings.emplace_back(
-      "a traction along a face bends bodies too little while it lasts, by up to 8 % with 8 "
-      "particles across and 5 % with 12; take method = \"total_lagrangian\" for slow loads");
-}
-
 // Measured for stacks of two bodies, docs/decisions/0058. Walls that move may press bodies
 // together.
 void warn_of_resting_bodies(const Case& a_case, std::vector<std::string>& warnings) {
@@ -143,14 +121,17 @@ void warn_of_resting_bodies(const Case& a_case, std::vector<std::string>& warnin
 }
 
 // Measured for plates, rings, discs and blocks under pistons with the defaults; bodies that only
-// rotate have smaller errors.
+// rotate have smaller errors. The last row is for tractions, docs/decisions/0065.
+constexpr ThinBodyError errors_of_thin_bodies[] = {
+    {4.5, "figures deviate by 10 to 60 %"},
+    {6.5, "figures deviate by 2 to 30 %"},
+    {8, "oscillations and collisions deviate by up to 20 %"},
+    {11, "faces under tractions move up to 10 % too little"}};
+
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
-  static constexpr ThinBodyError errors[] = {
-      {4.5, "figures deviate by 10 to 60 %"},
-      {6.5, "figures deviate by 2 to 30 %"},
-      {8, "oscillations and collisions deviate by up to 20 %"}};
+  std::span<const ThinBodyError> errors = errors_of_thin_bodies;
+  if (!has_boundary(a_case, BoundaryCase::Kind::traction)) errors = errors.first<3>();
   warn_of_thin_bodies(a_case, errors, warnings);
-  warn_of_slow_tractions(a_case, warnings);
   warn_of_resting_bodies(a_case, warnings);
 }
 

@@ -5,6 +5,7 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/surface_records.hpp"
 #include "engine/remeshed/loads/loaded_surface.hpp"
+#include "engine/remeshed/loads/shear_patches.hpp"
 #include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 #include "engine/remeshed/setup/images.hpp"
@@ -124,6 +125,12 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   if (add_impulse<T, D>(body, local, stage, now, duration, kernels_, impulse, work_[block])) {
     sticks_[block] = 1;
   }
+}
+
+template <class T, int D>
+void StageWork<T, D>::evaluate_shear_forces(int block, int stage) {
+  const auto [body, local] = state_.owner(block);
+  evaluate_shear(body, local, stage, boundary_values_[stage]);
 }
 
 template <class T, int D>

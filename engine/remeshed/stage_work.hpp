@@ -40,6 +40,7 @@ class StageWork {
   /// The first fills the ghosts that particles read at a stage, while the others only drift.
   void fill_reached_ghosts(int block, int stage);
   void fill_all_ghosts(int block, int stage);
+  void evaluate_shear_forces(int block, int stage);
   void advance(int block, int stage);
   void evaluate_stress(int block) { results_[block] = particles_.evaluate_stress(block); }
 

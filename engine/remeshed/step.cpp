@@ -28,6 +28,7 @@
 //                       values at the edge, (RP.81). Ghosts of free surfaces move with their fits
 //                       (RP.60)
 //     images            periodic bodies: velocity and stress of the slots beyond a period
+//     shear             tractions: forces on the particles behind loaded facets, (RP.107)
 //     advance           grad u and div sigma of every particle by the moment matrix (RP.20), or
 //                       as in the paper (RP.19); its rates (RP.13), the next state and its stress
 //                       (RP.3)-(RP.9)
@@ -71,6 +72,7 @@ std::vector<Phase> Step<T, D>::phases() {
   std::vector<Phase> phases;
   for (int stage = 0; stage < 4; ++stage) {
     add_ghosts(phases, stage, false);
+    add_shear(phases, stage);
     add_advance(phases, stage);
   }
   if (momentum_.is_needed()) {
@@ -132,6 +134,15 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, bool all_of_t
     rows.each("images", near(read) + own(whole(image_sources)), own(written),
               at(stage, &Work::copy_image_states));
   }
+}
+
+template <class T, int D>
+void Step<T, D>::add_shear(std::vector<Phase>& phases, int stage) {
+  if (!state_.boundaries.have_tractions()) return;
+  const int buffer = drift_buffer_of(stage);
+  PhaseRows(phases).at_stage(stage).each(
+      "shear", near(particles(drift, buffer) + ghosts(drift, buffer)) + own(whole(loaded_facets)),
+      own(whole(shear_forces)), at(stage, &StageWork<T, D>::evaluate_shear_forces));
 }
 
 template <class T, int D>
@@ -203,8 +214,8 @@ Accesses Step<T, D>::read_by_advance(int stage, Reach reach) const {
     adjacent = adjacent + images(material, current);
   }
   return Accesses(listed, reach) + read_by_update(stage) +
-         own(whole(corrections) + whole(contact) + whole(fits) + whole(loaded_facets)) +
-         near(adjacent);
+         own(whole(corrections) + whole(contact) + whole(fits) + whole(shear_shares)) +
+         near(adjacent + whole(loaded_facets) + whole(shear_forces));
 }
 
 template <class T, int D>

@@ -57,6 +57,7 @@ class Step {
   Accesses written_by_ghosts(int stage) const;
   Accesses read_by_advance(int stage, scheduler::Reach reach) const;
 
+  void add_shear(std::vector<scheduler::Phase>& phases, int stage);
   bool is_periodic() const;
   std::vector<int> blocks_where(bool listed) const;
 

@@ -62,10 +62,12 @@ struct GhostFill {
     for (std::size_t g = 0; g < count; ++g) {
       if (ghosts.wall[g] >= 0) continue;
       const int p = ghosts.pressure[g];
-      const T pressure = p == several_loads ? -mixed_load<T, D>(body, ghosts, g, values).normal
-                         : p < 0            ? T(0)
-                                            : static_cast<T>(values.pressure[p]);
-      set(g, kernels::averaged_surface_ghost<T, D>(fits.of(g).linear, pressure));
+      const kernels::GhostFits<T, D> of_ghost = fits.of(g);
+      const T pressure = p == several_loads
+                             ? -mixed_load<T, D>(body, ghosts, of_ghost, g, values).normal
+                         : p < 0 ? T(0)
+                                 : static_cast<T>(values.pressure[p]);
+      set(g, kernels::averaged_surface_ghost<T, D>(of_ghost.linear, pressure));
     }
   }
 
@@ -75,13 +77,14 @@ struct GhostFill {
     for (std::size_t g = 0; g < count; ++g) {
       const int p = ghosts.pressure[g];
       if (p == several_loads) {
-        fill_loaded(g, present.of(g), mixed_load<T, D>(body, ghosts, g, values), impedance);
+        const kernels::GhostFits<T, D> fits = present.of(g);
+        fill_loaded(g, fits, mixed_load<T, D>(body, ghosts, fits, g, values), impedance);
       }
       if (p < 0 || values.traction[p] == Point<D>{}) continue;
-      std::array<T, D> force;
-      for (int a = 0; a < D; ++a) force[a] = static_cast<T>(values.traction[p][a]);
       const kernels::GhostFits<T, D> fits = present.of(g);
-      fill_loaded(g, fits, load_of(fits, force), impedance);
+      kernels::SurfaceLoad<T, D> load{kernels::unit_normal<T, D>(fits.linear), 0, {}};
+      for (int a = 0; a < D; ++a) load.normal += static_cast<T>(values.traction[p][a]) * load.n[a];
+      fill_loaded(g, fits, load, impedance);
     }
   }
 

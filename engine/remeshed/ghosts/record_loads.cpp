@@ -12,9 +12,8 @@ namespace pliant::remeshed {
 
 namespace {
 
-constexpr double known = 0.02;    // [h] accuracy of places at t = 0: regions may end on a face
-constexpr double own_face = 0.7;  // cosine between the normals of a ghost and of its own face
-constexpr double unseen = 1e-3;   // of the squares of grad phi; below it they have no direction
+constexpr double known = 0.02;   // [h] accuracy of places at t = 0: regions may end on a face
+constexpr double unseen = 1e-3;  // of the squares of grad phi; below it they have no direction
 
 /// Finds the faces and loads near the particles of a block.
 template <class T, int D>
@@ -141,26 +140,7 @@ void find_record_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields
 
 namespace {
 
-// In 3D a ghost has a single load: that at the initial place of the material at its foot point. If
-// there is no fit at the foot point, the fit at the ghost gives this place.
-template <class T, int D>
-std::int8_t load_at_foot(const Body<T, D>& body, const Shape& surface,
-                         const Boundaries<D>& boundaries, const BlockGhosts<T, D>& ghosts,
-                         std::size_t g) {
-  const kernels::FitTerms<T, D>& terms = ghosts.terms[g];
-  const auto& at = ghosts.surface_sum[g] > T(0.5) ? terms.surface : terms.linear;
-  Point<D> start = ghosts.foot[g];
-  for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
-    const T c = fit_coefficient<T, D>(ghosts, g, k, at);
-    const std::int32_t slot = body.spare.slot_of_record[kernels::record_of(ghosts.pairs[k])];
-    for (int a = 0; a < D; ++a) start[a] -= c * body.stage[1].get(Field::displacement, a)[slot];
-  }
-  const Vector n = outward_direction(surface, padded<D>(start), D);
-  for (int a = 0; a < D; ++a) start[a] += known * body.lattice.spacing * n[a];
-  return load_at<D>(boundaries, start);
-}
-
-// In 2D the load of the faces of all particles in its fit, if they agree.
+// The load of the faces of all particles in its fit, if they agree.
 template <class T, int D>
 std::int8_t load_of_faces(const Population<T, D>& population, const BlockGhosts<T, D>& ghosts,
                           std::size_t g) {
@@ -177,16 +157,11 @@ std::int8_t load_of_faces(const Population<T, D>& population, const BlockGhosts<
 }  // namespace
 
 template <class T, int D>
-void find_ghost_loads(Body<T, D>& body, const Shape& surface, const Boundaries<D>& boundaries,
-                      int block) {
-  BlockGhosts<T, D>& ghosts = body.spare.ghosts[block];
+void find_ghost_loads(Population<T, D>& population, int block) {
+  BlockGhosts<T, D>& ghosts = population.ghosts[block];
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
     if (ghosts.wall[g] >= 0) continue;
-    if constexpr (D == 3) {
-      ghosts.pressure[g] = load_at_foot(body, surface, boundaries, ghosts, g);
-    } else {
-      ghosts.pressure[g] = load_of_faces(body.spare, ghosts, g);
-    }
+    ghosts.pressure[g] = load_of_faces(population, ghosts, g);
   }
 }
 
@@ -216,11 +191,11 @@ Eigen::Matrix<T, D, D> turn_of_normals(const Body<T, D>& body, const BlockGhosts
 
 }  // namespace
 
-// A uniform stress can have the normal tractions of both faces, but not a shear traction on one of
-// them alone: that acts on the ghosts of its own face.
+// A uniform stress can have the normal tractions of both faces.
 template <class T, int D>
 kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
-                                      std::size_t ghost, const BoundaryValues<D>& values) {
+                                      const kernels::GhostFits<T, D>& fits, std::size_t ghost,
+                                      const BoundaryValues<D>& values) {
   using Vector = Eigen::Matrix<T, D, 1>;
   const Eigen::Matrix<T, D, D> turn = turn_of_normals(body, ghosts, ghost);
   const auto for_each_face = [&](auto&& f) {
@@ -238,21 +213,16 @@ kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<
       f(FittedParticle<T, D>(ghosts, ghost, k).weight(), normal, traction);
     }
   };
-  Vector slope = Vector::Zero(), force = Vector::Zero(), shear = Vector::Zero();
+  using Matrix = Eigen::Matrix<T, D, D>;
+  Matrix squares = Matrix::Zero(), products = Matrix::Zero();
   for_each_face([&](T w, const Vector& normal, const Vector& traction) {
-    slope += w * normal;
-    force += w * traction.dot(normal) / normal.squaredNorm() * normal;
+    squares += w * normal * normal.transpose();
+    products += w * traction.dot(normal) / normal.squaredNorm() * normal * normal.transpose();
   });
-  const T scale = kernels::InverseRoot<T>::of(slope.squaredNorm());
-  T own = 0;
-  for_each_face([&](T w, const Vector& normal, const Vector& traction) {
-    if (!(scale * slope.dot(normal) > T(own_face) * normal.norm())) return;
-    own += w * normal.norm();
-    shear += w * (traction - traction.dot(normal) / normal.squaredNorm() * normal);
-  });
-  Vector load = scale * force;
-  if (own > 0) load += shear / own;
-  const Vector n = scale * slope;
+  squares.diagonal().array() += T(unseen) * squares.trace();
+  const auto unit = kernels::unit_normal<T, D>(fits.linear);
+  const Vector n = Eigen::Map<const Vector>(unit.data());
+  const Vector load = products * squares.inverse() * n;
   kernels::SurfaceLoad<T, D> result = {};
   result.normal = load.dot(n);
   for (int a = 0; a < D; ++a) {
@@ -267,34 +237,36 @@ template InitialFace<3> face_at<3>(const Boundaries<3>&, const Shape&, const Poi
 template void find_record_loads<double, 2>(const Lattice<2>&, const FieldStore<double, 2>&,
                                            const Shape&, const Boundaries<2>&, int,
                                            Population<double, 2>&);
-template void find_ghost_loads<double, 2>(Body<double, 2>&, const Shape&, const Boundaries<2>&,
-                                          int);
+template void find_ghost_loads<double, 2>(Population<double, 2>&, int);
 template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double, 2>&,
                                                                const BlockGhosts<double, 2>&,
+                                                               const kernels::GhostFits<double, 2>&,
                                                                std::size_t,
                                                                const BoundaryValues<2>&);
 template void find_record_loads<double, 3>(const Lattice<3>&, const FieldStore<double, 3>&,
                                            const Shape&, const Boundaries<3>&, int,
                                            Population<double, 3>&);
-template void find_ghost_loads<double, 3>(Body<double, 3>&, const Shape&, const Boundaries<3>&,
-                                          int);
+template void find_ghost_loads<double, 3>(Population<double, 3>&, int);
 template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double, 3>&,
                                                                const BlockGhosts<double, 3>&,
+                                                               const kernels::GhostFits<double, 3>&,
                                                                std::size_t,
                                                                const BoundaryValues<3>&);
 template void find_record_loads<float, 2>(const Lattice<2>&, const FieldStore<float, 2>&,
                                           const Shape&, const Boundaries<2>&, int,
                                           Population<float, 2>&);
-template void find_ghost_loads<float, 2>(Body<float, 2>&, const Shape&, const Boundaries<2>&, int);
+template void find_ghost_loads<float, 2>(Population<float, 2>&, int);
 template kernels::SurfaceLoad<float, 2> mixed_load<float, 2>(const Body<float, 2>&,
                                                              const BlockGhosts<float, 2>&,
+                                                             const kernels::GhostFits<float, 2>&,
                                                              std::size_t, const BoundaryValues<2>&);
 template void find_record_loads<float, 3>(const Lattice<3>&, const FieldStore<float, 3>&,
                                           const Shape&, const Boundaries<3>&, int,
                                           Population<float, 3>&);
-template void find_ghost_loads<float, 3>(Body<float, 3>&, const Shape&, const Boundaries<3>&, int);
+template void find_ghost_loads<float, 3>(Population<float, 3>&, int);
 template kernels::SurfaceLoad<float, 3> mixed_load<float, 3>(const Body<float, 3>&,
                                                              const BlockGhosts<float, 3>&,
+                                                             const kernels::GhostFits<float, 3>&,
                                                              std::size_t, const BoundaryValues<3>&);
 
 }  // namespace pliant::remeshed

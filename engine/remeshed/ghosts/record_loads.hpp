@@ -29,15 +29,14 @@ void find_record_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields
                        const Shape& surface, const Boundaries<D>& boundaries, int block,
                        Population<T, D>& population);
 
-/// Sets the loads of the free-surface ghosts in a block of the new population: in 2D those of all
-/// faces of (RP.78), in 3D that at the foot point. `surface` is the free surface at t = 0.
+/// Sets the loads of the free-surface ghosts in a block: those of the faces of (RP.78).
 template <class T, int D>
-void find_ghost_loads(Body<T, D>& body, const Shape& surface, const Boundaries<D>& boundaries,
-                      int block);
+void find_ghost_loads(Population<T, D>& population, int block);
 
 /// The traction of `several_loads` on a ghost, and its normal, (RP.78).
 template <class T, int D>
 kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
-                                      std::size_t ghost, const BoundaryValues<D>& values);
+                                      const kernels::GhostFits<T, D>& fits, std::size_t ghost,
+                                      const BoundaryValues<D>& values);
 
 }  // namespace pliant::remeshed

@@ -41,8 +41,8 @@ struct ForceOnBlock {
   Vector moment = {};  ///< in 2D z only
 };
 
-/// Gravity and damping (RP.71). The state that a stage writes depends linearly on its rates, so
-/// these rates can be added to it afterwards.
+/// Gravity and damping (RP.71), and the shear of tractions (RP.107). The state that a stage writes
+/// depends linearly on its rates, so these rates can be added to it afterwards.
 template <class T, int D>
 class BodyForces {
  public:
@@ -70,6 +70,8 @@ class BodyForces {
     std::array<double, 2> gain = {};  ///< [stage] sum m u.(du of the stage) [J]
   };
   void follow(int block, int stage);
+  void apply_field(int block, int stage, const BodyForce<D>& force_of);
+  void apply_shear(int block, int stage);
   void adapt_damping();
 
   State<T, D>& state_;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/remeshed/observe/surface_pieces.hpp"
@@ -9,6 +10,9 @@
 namespace pliant::remeshed {
 
 namespace {
+
+constexpr double one_face = 0.8;  // cosine between normals of one face
+constexpr int samples = 16;       // along a facet
 
 /// The part of a segment or triangle in which a linear function is positive; `values` are those at
 /// its corners.
@@ -30,14 +34,6 @@ double positive_share(const std::array<double, D>& values) {
   return 1;
 }
 
-/// Area times the outward unit normal.
-PlaceVector<2> area_of(const std::array<PlaceVector<2>, 2>& x) {
-  return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
-}
-PlaceVector<3> area_of(const std::array<PlaceVector<3>, 3>& x) {
-  return (x[1] - x[0]).cross(x[2] - x[0]) / 2;
-}
-
 /// A vector field, interpolated between two slots.
 template <class T, int D>
 PlaceVector<D> between(const FieldStore<T, D>& fields, Field field, const FacetCorner<D>& corner) {
@@ -56,22 +52,83 @@ std::array<std::int8_t, D> nothing_loaded() {
   return load;
 }
 
-/// Finds the loads on the components of a facet's area vector. A facet that cuts off an edge
-/// belongs to two faces. A component along an axis then belongs to the face that a particle of the
-/// facet sees along that axis.
+/// The loads on the components of a facet's area vector, and the share of the facet on which they
+/// act.
+template <int D>
+struct FacetLoad {
+  std::array<std::int8_t, D> load;
+  double share = 1;
+};
+
+/// Finds the loads on facets.
 template <class T, int D>
 class FacetLoads {
  public:
   FacetLoads(const LatticeView<T, D>& view, const Shape& surface, const Boundaries<D>& boundaries)
       : view_(view), surface_(surface), boundaries_(boundaries) {}
 
-  std::array<std::int8_t, D> of(const SurfacePiece<D>& piece) const {
-    std::array<std::int8_t, D> load;
-    for (int a = 0; a < D; ++a) load[a] = along(piece, a);
-    return load;
+  FacetLoad<D> of(const SurfacePiece<D>& piece) const {
+    std::array<InitialFace<D>, D> faces;
+    for (int i = 0; i < D; ++i) faces[i] = face(start_of(piece[i]));
+    FacetLoad<D> result;
+    const auto [least, greatest] = std::ranges::minmax(faces, {}, &InitialFace<D>::load);
+    if (least.load != greatest.load && is_one_face(faces)) {
+      result.load.fill(greatest.load);
+      result.share = share_under(greatest.load, piece);
+      return result;
+    }
+    for (int a = 0; a < D; ++a) result.load[a] = along(piece, a);
+    return result;
   }
 
  private:
+  static bool is_one_face(const std::array<InitialFace<D>, D>& faces) {
+    return std::ranges::all_of(faces, [&](const InitialFace<D>& face) {
+      double cosine = 0;
+      for (int a = 0; a < D; ++a) cosine += face.normal[a] * faces[0].normal[a];
+      return cosine > one_face;
+    });
+  }
+
+  // The region of the load ends on this facet.
+  double share_under(std::int8_t load, const SurfacePiece<D>& piece) const {
+    std::array<Point<D>, D> corners;
+    for (int i = 0; i < D; ++i) corners[i] = start_of(piece[i]);
+    int under = 0, count = 0;
+    for_each_sample(corners, [&](const Point<D>& place) {
+      ++count;
+      under += face(place).load == load ? 1 : 0;
+    });
+    return static_cast<double>(under) / count;
+  }
+
+  /// Calls f(place) for places that share a segment or triangle in equal parts.
+  template <class F>
+  static void for_each_sample(const std::array<Point<D>, D>& corners, F&& f) {
+    for (int i = 0; i < samples; ++i) {
+      const double r = (i + 0.5) / samples;
+      if constexpr (D == 2) {
+        f(mean_of(corners, {1 - r, r}));
+      } else {
+        for (int j = 0; j < samples; ++j) {
+          const double s = (j + 0.5) / samples, root = std::sqrt(r);
+          f(mean_of(corners, {1 - root, root * (1 - s), root * s}));
+        }
+      }
+    }
+  }
+
+  static Point<D> mean_of(const std::array<Point<D>, D>& corners,
+                          const std::array<double, D>& weights) {
+    Point<D> place = {};
+    for (int i = 0; i < D; ++i) {
+      for (int a = 0; a < D; ++a) place[a] += weights[i] * corners[i][a];
+    }
+    return place;
+  }
+
+  // A facet that cuts off an edge belongs to two faces. A component along an axis then belongs to
+  // the face that a particle of the facet sees along that axis.
   std::int8_t along(const SurfacePiece<D>& piece, int axis) const {
     for (const Crossing<D>& crossing : piece) {
       const int step = crossing.outside->cell[axis] - crossing.inside->cell[axis];
@@ -81,12 +138,16 @@ class FacetLoads {
       beyond.slot = view_.population.layout.slot(view_.body.lattice.wrapped(beyond.cell));
       beyond.phi = view_.fields.get(Field::level_set)[beyond.slot];
       beyond.place[axis] += step * view_.body.lattice.spacing;
-      if (beyond.phi >= 0) return at(Crossing<D>{crossing.inside, &beyond});
+      if (beyond.phi >= 0) return face(start_of(Crossing<D>{crossing.inside, &beyond})).load;
     }
-    return at(piece[0]);
+    return face(start_of(piece[0])).load;
   }
 
-  std::int8_t at(const Crossing<D>& crossing) const {
+  InitialFace<D> face(const Point<D>& start) const {
+    return face_at<D>(boundaries_, surface_, start);
+  }
+
+  Point<D> start_of(const Crossing<D>& crossing) const {
     const double fraction = crossing.fraction();
     const PlaceVector<D> place = crossing.place();
     Point<D> start;
@@ -95,7 +156,7 @@ class FacetLoads {
       start[a] = place[a] - (1 - fraction) * moved[crossing.inside->slot] -
                  fraction * moved[crossing.outside->slot];
     }
-    return face_at<D>(boundaries_, surface_, start).load;
+    return start;
   }
 
   const LatticeView<T, D>& view_;
@@ -103,29 +164,42 @@ class FacetLoads {
   const Boundaries<D>& boundaries_;
 };
 
-/// Force of the loads on the components of an area vector [N, in 2D N/m].
+/// Force of the loads on the components of an area vector.
 template <int D>
-PlaceVector<D> force_of(const std::array<std::int8_t, D>& load, const PlaceVector<D>& area,
-                        const BoundaryValues<D>& values) {
-  PlaceVector<D> force = PlaceVector<D>::Zero();
+FacetForce<D> force_of(const std::array<std::int8_t, D>& load, const PlaceVector<D>& area,
+                       const BoundaryValues<D>& values) {
+  FacetForce<D> force{PlaceVector<D>::Zero(), PlaceVector<D>::Zero()};
   for (int i = 0; i < D; ++i) {
     if (load[i] < 0 || std::find(load.begin(), load.begin() + i, load[i]) != load.begin() + i) {
       continue;
     }
     PlaceVector<D> part = PlaceVector<D>::Zero();
     for (int a = i; a < D; ++a) part[a] = load[a] == load[i] ? area[a] : 0;
-    force -= values.pressure[load[i]] * part;
-    for (int a = 0; a < D; ++a) force[a] += part.norm() * values.traction[load[i]][a];
+    force.normal -= values.pressure[load[i]] * part;
+    const double size = part.norm();
+    if (size == 0) continue;
+    const Eigen::Map<const PlaceVector<D>> traction(values.traction[load[i]].data());
+    const PlaceVector<D> along_normal = traction.dot(part) / size * part;
+    force.normal += along_normal;
+    force.shear += size * traction - along_normal;
   }
   return force;
+}
+
+template <int D>
+bool is_under_traction(const LoadedFacet<D>& facet, const Boundaries<D>& boundaries) {
+  return std::ranges::any_of(facet.load,
+                             [&](std::int8_t load) { return boundaries.is_traction(load); });
 }
 
 }  // namespace
 
 template <class T, int D>
 void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& surface,
-                        const Boundaries<D>& boundaries, std::vector<LoadedFacet<D>>& facets) {
+                        const Boundaries<D>& boundaries, std::vector<LoadedFacet<D>>& facets,
+                        std::vector<ShearPatch<D>>& patches) {
   facets.clear();
+  patches.clear();
   if (boundaries.pressures.empty()) return;
   const FacetLoads<T, D> loads(view, surface, boundaries);
   SurfaceCube<T, D> cube(view);
@@ -146,32 +220,54 @@ void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& s
     }
     facet.share = positive_share<D>(before_walls);
     if (facet.share == 0) return;
-    facet.load = loads.of(piece);
+    const FacetLoad<D> found = loads.of(piece);
+    facet.load = found.load;
+    facet.share *= found.share;
     if (facet.load != nothing_loaded<D>()) facets.push_back(facet);
   };
   const auto phi = level_set_of<T, D>(view);
   const Layout<D>& layout = view.population.layout;
   layout.for_each_slot(layout.blocks()[block], [&](std::int64_t, const Cell<D>& cell) {
-    if (view.body.lattice.is_wrapped(cell) && cube.read(cell, phi)) cube.for_each_piece(add);
+    if (!view.body.lattice.is_wrapped(cell) || !cube.read(cell, phi)) return;
+    const std::size_t first = facets.size();
+    cube.for_each_piece(add);
+    if (std::any_of(facets.begin() + first, facets.end(), [&](const LoadedFacet<D>& facet) {
+          return is_under_traction(facet, boundaries);
+        })) {
+      ShearPatch<D>& patch = patches.emplace_back();
+      patch.first_facet = static_cast<std::int32_t>(first);
+      patch.facet_count = static_cast<std::int32_t>(facets.size() - first);
+    }
   });
+}
+
+template <class T, int D>
+FacetForce<D> force_at_stage(const Body<T, D>& body, const LoadedFacet<D>& facet, int stage,
+                             const BoundaryValues<D>& values) {
+  const FieldStore<T, D>& place = body.stage[drift_buffer_of(stage)];
+  std::array<PlaceVector<D>, D> places;
+  for (int i = 0; i < D; ++i) {
+    const FacetCorner<D>& corner = facet.corners[i];
+    places[i] = between<T, D>(place, Field::drift, corner);
+    for (int a = 0; a < D; ++a) places[i][a] += corner.place[a];
+  }
+  FacetForce<D> force = force_of<D>(facet.load, area_of(places), values);
+  force.normal *= facet.share;
+  force.shear *= facet.share;
+  return force;
 }
 
 template <class T, int D>
 LoadsOnBlock<D> loads_on_block(const Body<T, D>& body, int block, int stage,
                                const BoundaryValues<D>& values) {
   const FieldStore<T, D>& state = body.stage[buffer_of(stage)];
-  const FieldStore<T, D>& place = body.stage[drift_buffer_of(stage)];
   LoadsOnBlock<D> loads;
   for (const LoadedFacet<D>& facet : body.loaded[block]) {
-    std::array<PlaceVector<D>, D> places;
     PlaceVector<D> velocity = PlaceVector<D>::Zero();
-    for (int i = 0; i < D; ++i) {
-      const FacetCorner<D>& corner = facet.corners[i];
-      places[i] = between<T, D>(place, Field::drift, corner);
-      for (int a = 0; a < D; ++a) places[i][a] += corner.place[a];
+    for (const FacetCorner<D>& corner : facet.corners) {
       velocity += between<T, D>(state, Field::velocity, corner) / D;
     }
-    const PlaceVector<D> force = facet.share * force_of<D>(facet.load, area_of(places), values);
+    const PlaceVector<D> force = force_at_stage(body, facet, stage, values).normal;
     for (int a = 0; a < D; ++a) loads.force[a] += force[a];
     loads.power += force.dot(velocity);
   }
@@ -179,19 +275,31 @@ LoadsOnBlock<D> loads_on_block(const Body<T, D>& body, int block, int stage,
 }
 
 template void find_loaded_facets<double, 2>(const LatticeView<double, 2>&, int, const Shape&,
-                                            const Boundaries<2>&, std::vector<LoadedFacet<2>>&);
+                                            const Boundaries<2>&, std::vector<LoadedFacet<2>>&,
+                                            std::vector<ShearPatch<2>>&);
+template FacetForce<2> force_at_stage<double, 2>(const Body<double, 2>&, const LoadedFacet<2>&, int,
+                                                 const BoundaryValues<2>&);
 template LoadsOnBlock<2> loads_on_block<double, 2>(const Body<double, 2>&, int, int,
                                                    const BoundaryValues<2>&);
 template void find_loaded_facets<float, 2>(const LatticeView<float, 2>&, int, const Shape&,
-                                           const Boundaries<2>&, std::vector<LoadedFacet<2>>&);
+                                           const Boundaries<2>&, std::vector<LoadedFacet<2>>&,
+                                           std::vector<ShearPatch<2>>&);
+template FacetForce<2> force_at_stage<float, 2>(const Body<float, 2>&, const LoadedFacet<2>&, int,
+                                                const BoundaryValues<2>&);
 template LoadsOnBlock<2> loads_on_block<float, 2>(const Body<float, 2>&, int, int,
                                                   const BoundaryValues<2>&);
 template void find_loaded_facets<double, 3>(const LatticeView<double, 3>&, int, const Shape&,
-                                            const Boundaries<3>&, std::vector<LoadedFacet<3>>&);
+                                            const Boundaries<3>&, std::vector<LoadedFacet<3>>&,
+                                            std::vector<ShearPatch<3>>&);
+template FacetForce<3> force_at_stage<double, 3>(const Body<double, 3>&, const LoadedFacet<3>&, int,
+                                                 const BoundaryValues<3>&);
 template LoadsOnBlock<3> loads_on_block<double, 3>(const Body<double, 3>&, int, int,
                                                    const BoundaryValues<3>&);
 template void find_loaded_facets<float, 3>(const LatticeView<float, 3>&, int, const Shape&,
-                                           const Boundaries<3>&, std::vector<LoadedFacet<3>>&);
+                                           const Boundaries<3>&, std::vector<LoadedFacet<3>>&,
+                                           std::vector<ShearPatch<3>>&);
+template FacetForce<3> force_at_stage<float, 3>(const Body<float, 3>&, const LoadedFacet<3>&, int,
+                                                const BoundaryValues<3>&);
 template LoadsOnBlock<3> loads_on_block<float, 3>(const Body<float, 3>&, int, int,
                                                   const BoundaryValues<3>&);
 

@@ -1,18 +1,37 @@
 #pragma once
 
 #include "engine/boundaries/boundary_values.hpp"
+#include "engine/lattice/surface_pieces.hpp"
 #include "engine/remeshed/state/lattice_view.hpp"
 
 namespace pliant::remeshed {
 
-/// Finds the loaded facets of {phi = 0} of a block that are in front of attached walls. Slots must
-/// be on nodes. A cube of slots belongs to the block of its first one; `surface` is the free
-/// surface at t = 0.
+/// Finds the loaded facets of {phi = 0} of a block that are in front of attached walls, and the
+/// patches of those under tractions. Slots must be on nodes. A cube of slots belongs to the block
+/// of its first one; `surface` is the free surface at t = 0.
 template <class T, int D>
 void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& surface,
-                        const Boundaries<D>& boundaries, std::vector<LoadedFacet<D>>& facets);
+                        const Boundaries<D>& boundaries, std::vector<LoadedFacet<D>>& facets,
+                        std::vector<ShearPatch<D>>& patches);
 
-/// The loads on the facets of a block at a stage, (RP.72).
+/// Area of a segment or triangle times its normal, which points to the right of the segment.
+inline PlaceVector<2> area_of(const std::array<PlaceVector<2>, 2>& x) {
+  return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
+}
+inline PlaceVector<3> area_of(const std::array<PlaceVector<3>, 3>& x) {
+  return (x[1] - x[0]).cross(x[2] - x[0]) / 2;
+}
+
+/// The load on a facet: its part along the normal, and the rest.
+template <int D>
+struct FacetForce {
+  PlaceVector<D> normal, shear;  ///< [N, in 2D N/m]
+};
+template <class T, int D>
+FacetForce<D> force_at_stage(const Body<T, D>& body, const LoadedFacet<D>& facet, int stage,
+                             const BoundaryValues<D>& values);
+
+/// The loads along the normals of the facets of a block at a stage, (RP.72).
 template <int D>
 struct LoadsOnBlock {
   Point<D> force = {};  ///< [N, in 2D N/m]

@@ -7,7 +7,7 @@
 #include "engine/geometry/free_surface.hpp"
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/level_set/initial_surface.hpp"
-#include "engine/remeshed/loads/loaded_surface.hpp"
+#include "engine/remeshed/loads/shear_patches.hpp"
 #include "engine/remeshed/setup/images.hpp"
 #include "engine/remeshed/setup/initial_fields.hpp"
 #include "engine/remeshed/state/resources.hpp"
@@ -35,7 +35,9 @@
 //     ghosts: fits      the coefficients of the ghosts (RP.43), (RP.44)
 //     ghosts: surface   surface records for the particles that fits read
 //     ghosts: loads     the loads on the faces nearest to those particles, and on ghosts (RP.78)
-//     loaded facets     the facets of {phi = 0} on which loads do work (RP.72)
+//     loaded facets     the facets of {phi = 0} on which loads do work (RP.72), and the particles
+//                       behind those under tractions (RP.107)
+//     shear shares      for each block, the shares of its particles in these tractions
 namespace pliant::remeshed {
 
 using namespace resource;
@@ -138,7 +140,9 @@ void Remeshing<T, D>::prepare_target(bool reinitialise, bool is_final) {
   if (!is_final) return;
   body_.spare.ghosts.swap(body_.population.ghosts);
   body_.spare.ghosts.resize(body_.spare.layout.blocks().size());
-  body_.loaded.resize(body_.spare.layout.blocks().size());
+  const std::size_t blocks = body_.spare.layout.blocks().size();
+  body_.loaded.resize(blocks);
+  body_.shear.resize(blocks);
 }
 
 template <class T, int D>
@@ -270,12 +274,13 @@ void Remeshing<T, D>::lay_out_again(const std::vector<std::int32_t>& occupancy) 
 template <class T, int D>
 void Remeshing<T, D>::swap_in_restored() {
   grow_stages();
-  for (std::size_t b = 0; b < body_.population.images.size(); ++b) {
-    list_images(body_.lattice, body_.population, static_cast<int>(b));
-    prepare_slots<T, D>(body_, static_cast<int>(b));
-    find_loaded_facets<T, D>({body_, body_.population, body_.stage[0]}, static_cast<int>(b),
-                             initial_surface_, boundaries_, body_.loaded[b]);
+  const int blocks = static_cast<int>(body_.population.images.size());
+  for (int b = 0; b < blocks; ++b) {
+    list_images(body_.lattice, body_.population, b);
+    prepare_slots<T, D>(body_, b);
+    find_facets({body_, body_.population, body_.stage[0]}, b);
   }
+  for (int b = 0; b < blocks; ++b) list_shear_shares(body_, body_.population.layout, b);
 }
 
 template class Remeshing<double, 2>;

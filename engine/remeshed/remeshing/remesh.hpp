@@ -9,6 +9,7 @@
 #include "engine/remeshed/remeshing/layout_search.hpp"
 #include "engine/remeshed/remeshing/remeshed_fields.hpp"
 #include "engine/remeshed/setup/particle_kinds.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
 #include "engine/remeshed/state/state.hpp"
 #include "scheduler/workers.hpp"
 
@@ -57,6 +58,7 @@ class Remeshing {
   void prepare_spare();
   void share_with_level_set();
   void find_kinds(int block);
+  void find_facets(const LatticeView<T, D>& view, int block);
   void fit_block(int block);
   void grow_stages();
 

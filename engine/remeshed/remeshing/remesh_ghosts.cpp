@@ -1,6 +1,7 @@
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/remeshed/loads/loaded_surface.hpp"
+#include "engine/remeshed/loads/shear_patches.hpp"
 #include "engine/remeshed/remeshing/remesh.hpp"
 #include "engine/remeshed/state/resources.hpp"
 
@@ -49,14 +50,23 @@ void Remeshing<T, D>::add_loads(PhaseRows& rows) {
             near(with_images(new_state) + whole(new_loads) + whole(record_numbers)) +
                 own(whole(new_fits)),
             own(whole(new_fits)), [this](int b) {
-              if (is_final_) find_ghost_loads(body_, initial_surface_, boundaries_, b);
+              if (is_final_) find_ghost_loads(body_.spare, b);
             });
   rows.each("loaded facets", near(with_images(new_state) + with_images(new_kinds)),
             own(whole(loaded_facets)), [this](int b) {
-              if (!is_final_) return;
-              find_loaded_facets<T, D>({body_, body_.spare, body_.stage[1]}, b, initial_surface_,
-                                       boundaries_, body_.loaded[b]);
+              if (is_final_) find_facets({body_, body_.spare, body_.stage[1]}, b);
             });
+  rows.each("shear shares", near(whole(loaded_facets)), own(whole(shear_shares)), [this](int b) {
+    if (is_final_) list_shear_shares(body_, body_.spare.layout, b);
+  });
+}
+
+template <class T, int D>
+void Remeshing<T, D>::find_facets(const LatticeView<T, D>& view, int block) {
+  BlockShear<D>& shear = body_.shear[block];
+  find_loaded_facets<T, D>(view, block, initial_surface_, boundaries_, body_.loaded[block],
+                           shear.patches);
+  find_shear_shares<T, D>(view, boundaries_, body_.loaded[block], shear);
 }
 
 template <class T, int D>
@@ -79,18 +89,22 @@ void Remeshing<T, D>::fit_block(int block) {
 
 template void Remeshing<double, 2>::add_ghosts(PhaseRows&);
 template void Remeshing<double, 2>::add_loads(PhaseRows&);
+template void Remeshing<double, 2>::find_facets(const LatticeView<double, 2>&, int);
 template void Remeshing<double, 2>::find_kinds(int);
 template void Remeshing<double, 2>::fit_block(int);
 template void Remeshing<double, 3>::add_ghosts(PhaseRows&);
 template void Remeshing<double, 3>::add_loads(PhaseRows&);
+template void Remeshing<double, 3>::find_facets(const LatticeView<double, 3>&, int);
 template void Remeshing<double, 3>::find_kinds(int);
 template void Remeshing<double, 3>::fit_block(int);
 template void Remeshing<float, 2>::add_ghosts(PhaseRows&);
 template void Remeshing<float, 2>::add_loads(PhaseRows&);
+template void Remeshing<float, 2>::find_facets(const LatticeView<float, 2>&, int);
 template void Remeshing<float, 2>::find_kinds(int);
 template void Remeshing<float, 2>::fit_block(int);
 template void Remeshing<float, 3>::add_ghosts(PhaseRows&);
 template void Remeshing<float, 3>::add_loads(PhaseRows&);
+template void Remeshing<float, 3>::find_facets(const LatticeView<float, 3>&, int);
 template void Remeshing<float, 3>::find_kinds(int);
 template void Remeshing<float, 3>::fit_block(int);
 

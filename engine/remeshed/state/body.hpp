@@ -172,6 +172,43 @@ struct LoadedFacet {
   std::array<std::int8_t, D> load;  ///< on each component of its area vector
 };
 
+/// Facets in one cube of nodes that are under a traction; they share the particles behind them.
+template <int D>
+struct ShearPatch {
+  /// Components of a moment.
+  static constexpr int moments = D == 2 ? 1 : 3;
+
+  std::int32_t first_facet = 0, facet_count = 0;
+  std::array<Point<D>, D> axes = {};  ///< the outward normal, and unit vectors along the facets
+  Point<D> lever = {};     ///< from the facets to the mean place of what is behind them [m]
+  double material = 0;     ///< W of (RP.107)
+  double represented = 1;  ///< W over the sum of w of the particles
+  std::array<double, moments* moments> balance = {};  ///< A^-1 of (RP.107) [1/m^2]
+
+  // In the present stage the force on a particle is w (mean + turn offset).
+  Point<D> mean = {};                  ///< [N, in 2D N/m]
+  std::array<double, D* D> turn = {};  ///< by rows [N/m, in 2D N/m^2]
+};
+
+/// A particle behind a patch.
+template <int D>
+struct ShearShare {
+  std::int32_t slot, patch;
+  double weight;    ///< w of (RP.107)
+  Point<D> offset;  ///< from the mean place of what is behind the patch [m]
+};
+
+/// The patches of one block, and the shares that particles have in patches.
+template <int D>
+struct BlockShear {
+  struct Index {
+    std::int32_t block, share;
+  };
+  std::vector<ShearPatch<D>> patches;
+  std::vector<ShearShare<D>> shares;  ///< in these patches, of particles of any block
+  std::vector<Index> own;             ///< shares of the particles of this block, in any patches
+};
+
 /// The slots of a body after a remeshing: places, kinds, and how ghosts read them.
 template <class T, int D>
 struct Population {
@@ -215,6 +252,7 @@ struct Body {
   Buffer<T> records;        ///< [record][record_width] of surface particles
   Buffer<std::int32_t> record_of_slot;
   std::vector<std::vector<LoadedFacet<D>>> loaded;  ///< [block]
+  std::vector<BlockShear<D>> shear;                 ///< [block]
   BodyNeighbours<D> neighbours;
 
   /// Q of (RP.21) at a stage.

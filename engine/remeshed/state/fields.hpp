@@ -74,6 +74,8 @@ enum class Field {
   block_motion,
   motion_budget,
   loaded_facet,
+  shear_share,
+  shear_force,
   // Neighbour search.
   closest_pair,
   search_decision,
@@ -127,6 +129,8 @@ enum class Group {
   motion,
   motion_budgets,
   loaded_facets,
+  shear_shares,
+  shear_forces,
   closest_pairs,
   search_decisions,
   sites,
@@ -226,6 +230,8 @@ inline constexpr Table field_list = [] {
       {F::motion_budget, "M, P, L", "motion_budget", "kg, N s, N m s", list, S::body, G::motion_budgets, not_at_all, 1, saved},
 
       {F::loaded_facet, "", "loaded_facet", "m", list, S::block, G::loaded_facets},
+      {F::shear_share, "", "shear_share", "1", list, S::block, G::shear_shares},
+      {F::shear_force, "", "shear_force", "N", vector, S::block, G::shear_forces},
       {F::closest_pair, "r/h", "closest_pair", "1", scalar, S::block, G::closest_pairs},
       {F::search_decision, "", "search_decision", "1", scalar, S::body, G::search_decisions},
       {F::site, "x/h", "site", "1", list, S::block, G::sites},

@@ -37,6 +37,8 @@ inline constexpr Table group_list = [] {
                    {G::motion, "motion"},
                    {G::motion_budgets, "motion budgets"},
                    {G::loaded_facets, "loaded facets"},
+                   {G::shear_shares, "shear shares"},
+                   {G::shear_forces, "shear forces"},
                    {G::closest_pairs, "closest pairs"},
                    {G::search_decisions, "search decisions"},
                    {G::sites, "sites"},
