@@ -13,9 +13,9 @@
 #include "engine/point_based/observe/measure.hpp"
 #include "engine/point_based/parameters.hpp"
 #include "engine/point_based/solver.hpp"
+#include "engine/point_based/walls_off_the_lattice.hpp"
 #include "engine/undeformed/default_cfl.hpp"
 #include "engine/undeformed/slip_walls.hpp"
-#include "engine/undeformed/walls_off_the_lattice.hpp"
 
 namespace pliant::point_based {
 
@@ -106,7 +106,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   undeformed::warn_of_elements_in_slip_walls(a_case, has_elements, warnings);
   const bool have_elements = std::ranges::any_of(
       a_case.bodies, [](const BodyCase& body) { return has_elements(body.geometry); });
-  if (!have_elements) undeformed::warn_of_walls_off_the_lattice(a_case, warnings);
+  if (!have_elements) warn_of_walls_off_the_lattice(a_case, warnings);
 }
 
 // The bound of (PB.12) needs the nodes, which only the solver has.

@@ -57,9 +57,8 @@ void add_inner_particles(const Body<T, D>& body, undeformed::ContactSurface<D>& 
   });
   for_each_slot([&](std::int64_t p, const Cell<D>& cell) {
     if (whole_cells[p] < 1 << D) return;
-    Point<D> start;
-    for (int a = 0; a < D; ++a) start[a] = body.lattice.node(a, cell[a]);
-    surface.add(start, std::array{undeformed::Share{static_cast<std::int32_t>(p), 1}});
+    surface.add(body.place(p, cell),
+                std::array{undeformed::Share{static_cast<std::int32_t>(p), 1}});
   });
 }
 

@@ -25,10 +25,11 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-constexpr double on_surface = 1e-9;    // [h] rounding errors of distances
-constexpr double layers = 3;           // over which a shift decays
-constexpr double smallest_det = 0.25;  // smallest det A of a cell, (TL.11)
+constexpr double on_surface = 1e-9;   // [h] rounding errors of distances
+constexpr double layers = 3;          // over which a shift decays
+constexpr double smallest_det = 0.1;  // smallest det A of a cell, (TL.11)
 constexpr int most_halvings = 8;
+constexpr double same_face = 0.9;  // cosine between normals of a wall
 
 template <int D>
 using Vec = Eigen::Matrix<double, D, 1>;
@@ -59,7 +60,7 @@ class WallFitter {
     }
   }
 
-  std::vector<FittedNode<D>> operator()() {
+  WallFit<D> operator()() {
     for_each_particle([&](std::int64_t p, const Cell<D>& cell) {
       if (!is_near_a_wall(cell)) return;
       const std::optional<Vec<D>> shift =
@@ -68,10 +69,12 @@ class WallFitter {
       if (!shift || wall_continues_inside(cell)) shift_onto_walls(p, cell);
     });
     keep_cells_open();
-    std::vector<FittedNode<D>> nodes;
-    nodes.reserve(shift_.size());
-    for (const auto& [slot, shift] : shift_) nodes.push_back({slot, point<D>(shift)});
-    return nodes;
+    find_flat_cells();
+    WallFit<D> fit;
+    fit.nodes.reserve(shift_.size());
+    for (const auto& [slot, shift] : shift_) fit.nodes.push_back({slot, point<D>(shift)});
+    fit.flat_cells.assign(flat_.begin(), flat_.end());
+    return fit;
   }
 
  private:
@@ -99,8 +102,12 @@ class WallFitter {
       if (!wall.is_attached()) continue;
       const Point<D> at = point<D>(x + shift);
       const double distance = wall.distance(at);
-      if (std::abs(distance) > h_ / 2 || std::abs(distance) < on_surface * h_) continue;
+      if (distance > h_ / 2 || std::abs(distance) < on_surface * h_) continue;
       const Vec<D> normal = vec<D>(wall.normal(at)), onto = -distance * normal;
+      if (distance < -h_ / 2) {
+        if (has_free_before(cell, wall, normal)) shift += onto;
+        continue;
+      }
       shift += onto;
       const auto [axis, up] = line_along(normal);
       for (int k = 1; k < layers; ++k) {
@@ -111,6 +118,22 @@ class WallFitter {
       }
     }
     if (shift.norm() > on_surface * h_) take(p, shift);
+  }
+
+  // Whether a particle behind a wall is a corner of a cell that the same face of the wall cuts.
+  bool has_free_before(const Cell<D>& cell, const Wall<D>& wall, const Vec<D>& normal) const {
+    for (int c = 0; c < (1 << D); ++c) {
+      Cell<D> around = cell;
+      for (int a = 0; a < D; ++a) around[a] -= c >> a & 1;
+      const std::int64_t slot = body_.layout.slot(around);
+      if (slot < 0 || !(body_.fraction[slot] > 0)) continue;
+      for (const std::int64_t q : body_.corners(around)) {
+        if (held_[q]) continue;
+        const Point<D> x = body_.lattice.node(body_.layout.cell(q));
+        if (vec<D>(wall.normal(x)).dot(normal) > same_face) return true;
+      }
+    }
+    return false;
   }
 
   // A held particle moves onto the rim within half a spacing; in 3D also one that is diagonally
@@ -214,6 +237,47 @@ class WallFitter {
     if (shift.norm() > known.norm()) known = shift;
   }
 
+  using Corners = std::array<std::int64_t, (1 << D)>;
+
+  // det A of (TL.11).
+  double volume_of(const Corners& corners) const {
+    Eigen::Matrix<double, D, D> a = Eigen::Matrix<double, D, D>::Identity();
+    for (int c = 0; c < (1 << D); ++c) {
+      const auto found = shift_.find(static_cast<std::int32_t>(corners[c]));
+      if (found == shift_.end()) continue;
+      for (int j = 0; j < D; ++j) {
+        a.col(j) += (c >> j & 1 ? 2 : -2) / ((1 << D) * h_) * found->second;
+      }
+    }
+    return a.determinant();
+  }
+
+  bool is_held(const Corners& corners) const {
+    return std::ranges::all_of(corners, [&](std::int64_t q) { return held_[q]; });
+  }
+
+  bool has_free_corner(const Corners& corners) const {
+    return std::ranges::any_of(
+        corners, [&](std::int64_t q) { return q >= 0 && body_.is_particle(q) && !held_[q]; });
+  }
+
+  // Cells behind a wall that shifts have made flat, or have pulled into the body: what is there
+  // belongs to the cells before them.
+  void find_flat_cells() {
+    for (const auto& [slot, shift] : shift_) {
+      const Cell<D> corner = body_.layout.cell(slot);
+      for (int c = 0; c < (1 << D); ++c) {
+        Cell<D> cell = corner;
+        for (int a = 0; a < D; ++a) cell[a] -= c >> a & 1;
+        const std::int64_t p = body_.layout.slot(cell);
+        if (p < 0) continue;
+        const Corners corners = body_.corners(cell);
+        if (has_free_corner(corners)) continue;
+        if (!(body_.fraction[p] > 0) || volume_of(corners) < smallest_det) flat_.insert(cell);
+      }
+    }
+  }
+
   // If a shift would collapse a cell, halves the shifts of its corners.
   void keep_cells_open() {
     for (int k = 0; k < most_halvings; ++k) {
@@ -223,15 +287,8 @@ class WallFitter {
         const auto corners = body_.corners(cell);
         const auto moves = [&](std::int64_t q) { return shift_.contains(static_cast<int>(q)); };
         if (std::none_of(corners.begin(), corners.end(), moves)) return;
-        Eigen::Matrix<double, D, D> a = Eigen::Matrix<double, D, D>::Identity();
-        for (int c = 0; c < (1 << D); ++c) {
-          const auto found = shift_.find(static_cast<std::int32_t>(corners[c]));
-          if (found == shift_.end()) continue;
-          for (int j = 0; j < D; ++j) {
-            a.col(j) += (c >> j & 1 ? 2 : -2) / ((1 << D) * h_) * found->second;
-          }
-        }
-        if (a.determinant() > smallest_det) return;
+        if (volume_of(corners) > smallest_det) return;
+        if (is_held(corners)) return;
         for (const std::int64_t q : corners) {
           if (moves(q)) closing.insert(static_cast<std::int32_t>(q));
         }
@@ -247,22 +304,19 @@ class WallFitter {
   double h_;
   std::vector<bool> held_;  // [slot]
   std::map<std::int32_t, Vec<D>> shift_;
+  std::set<Cell<D>> flat_;
 };
 
 }  // namespace
 
 template <class T, int D>
-std::vector<FittedNode<D>> fit_to_walls(const Boundaries<D>& boundaries, const Body<T, D>& body) {
+WallFit<D> fit_to_walls(const Boundaries<D>& boundaries, const Body<T, D>& body) {
   return WallFitter<T, D>(boundaries, body)();
 }
 
-template std::vector<FittedNode<2>> fit_to_walls<double, 2>(const Boundaries<2>&,
-                                                            const Body<double, 2>&);
-template std::vector<FittedNode<3>> fit_to_walls<double, 3>(const Boundaries<3>&,
-                                                            const Body<double, 3>&);
-template std::vector<FittedNode<2>> fit_to_walls<float, 2>(const Boundaries<2>&,
-                                                           const Body<float, 2>&);
-template std::vector<FittedNode<3>> fit_to_walls<float, 3>(const Boundaries<3>&,
-                                                           const Body<float, 3>&);
+template WallFit<2> fit_to_walls<double, 2>(const Boundaries<2>&, const Body<double, 2>&);
+template WallFit<3> fit_to_walls<double, 3>(const Boundaries<3>&, const Body<double, 3>&);
+template WallFit<2> fit_to_walls<float, 2>(const Boundaries<2>&, const Body<float, 2>&);
+template WallFit<3> fit_to_walls<float, 3>(const Boundaries<3>&, const Body<float, 3>&);
 
 }  // namespace pliant::total_lagrangian

@@ -7,7 +7,6 @@
 #include "engine/total_lagrangian/observe/measure.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/solver.hpp"
-#include "engine/undeformed/walls_off_the_lattice.hpp"
 #include "kernels/total_lagrangian/arguments.hpp"
 
 namespace pliant::total_lagrangian {
@@ -64,7 +63,6 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr ThinBodyError narrow[] = {{6, "its displacement deviates by 10 to 20 %"}};
   warn_of_thin_bodies(a_case, thin, warnings);
   warn_of_narrow_openings(a_case, narrow, warnings);
-  undeformed::warn_of_walls_off_the_lattice(a_case, warnings);
 }
 
 // Particles lie on the corners of all cells that the body fills, wholly or in part.

@@ -49,6 +49,9 @@ class Nodes {
     }
   }
 
+  /// Takes the stress point of a cell away, until a corner moves.
+  void empty(const Cell<D>& cell) { fraction_[index(cell)] = 0; }
+
   template <class F>
   void for_each(F&& f) const {
     Cell<D> cell;

@@ -162,18 +162,26 @@ void fill(const Nodes<D>& nodes, Body<T, D>& body) {
 
 template <class T, int D>
 void fit(const Boundaries<D>& boundaries, Nodes<D>& nodes, Body<T, D>& body) {
-  body.fitted_nodes = fit_to_walls(boundaries, body);
+  WallFit<D> found = fit_to_walls(boundaries, body);
+  body.fitted_nodes = std::move(found.nodes);
   if (body.fitted_nodes.empty()) return;
   for (const FittedNode<D>& node : body.fitted_nodes) {
     const Cell<D> cell = body.layout.cell(node.slot);
     nodes.move(cell, body.place(node.slot, cell));
   }
+  for (const Cell<D>& cell : found.flat_cells) {
+    nodes.empty(cell);
+    body.fraction[body.layout.slot(cell)] = 0;
+  }
+  fill(nodes, body);
+  const auto has_no_cell = [&](const auto& node) { return !body.is_particle(node.slot); };
+  std::erase_if(body.fitted_nodes, has_no_cell);
   for (auto& of_block : body.held) {
+    std::erase_if(of_block, has_no_cell);
     for (ConstrainedParticle<D>& held : of_block) {
       held.start = body.place(held.slot, body.layout.cell(held.slot));
     }
   }
-  fill(nodes, body);
 }
 
 }  // namespace

@@ -24,13 +24,23 @@ double mean_of_corners(const Body<T, D>& body, const Buffer<T>& values, const Ce
   return sum / (1 << D);
 }
 
+// The middle of a cell of the undeformed body.
+template <class T, int D>
+Point<D> centre(const Body<T, D>& body, const Cell<D>& cell) {
+  Point<D> x = body.lattice.node(cell);
+  for (int a = 0; a < D; ++a) x[a] += body.lattice.spacing / 2;
+  if (!body.is_fitted(cell)) return x;
+  for (const std::int64_t corner : body.corners(cell)) {
+    const Point<D> shift = body.shift(corner);
+    for (int a = 0; a < D; ++a) x[a] += shift[a] / (1 << D);
+  }
+  return x;
+}
+
 template <class T, int D>
 Point<D> present_centre(const Body<T, D>& body, const Cell<D>& cell) {
-  Point<D> x;
-  for (int a = 0; a < D; ++a) {
-    x[a] = body.lattice.node(a, cell[a]) + body.lattice.spacing / 2 +
-           mean_of_corners<T, D>(body, body.displacement[a], cell);
-  }
+  Point<D> x = centre<T, D>(body, cell);
+  for (int a = 0; a < D; ++a) x[a] += mean_of_corners<T, D>(body, body.displacement[a], cell);
   return x;
 }
 
@@ -65,10 +75,10 @@ template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field) {
   LinearFit<D, 1> fit;
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
-    Point<D> r;
+    Point<D> r = centre<T, D>(body, cell);
     double square = 0;
     for (int a = 0; a < D; ++a) {
-      r[a] = (body.lattice.node(a, cell[a]) - start[a]) / body.lattice.spacing + 0.5;
+      r[a] = (r[a] - start[a]) / body.lattice.spacing;
       square += r[a] * r[a];
     }
     const double fraction = square / (radius * radius);
@@ -106,8 +116,8 @@ std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x) {
   const Row back = gradient.inverse() * offset;
   const double h = body.lattice.spacing;
   if (back.norm() > h * std::sqrt(D)) return std::nullopt;
-  Vector start = {};
-  for (int a = 0; a < D; ++a) start[a] = body.lattice.node(a, nearest_cell[a]) + h / 2 + back[a];
+  Vector start = padded<D>(centre<T, D>(body, nearest_cell));
+  for (int a = 0; a < D; ++a) start[a] += back[a];
   return start;
 }
 
@@ -117,7 +127,8 @@ double mean_value(const Body<T, D>& body, const MeasurementCase& m, double t) {
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
     const Vector at = padded<D>(present_centre<T, D>(body, cell));
     if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) return;
-    const double v = body.fraction[p] * stress_point<T, D>(body, p, cell).volume_ratio;
+    const StressPoint<D> point = stress_point<T, D>(body, p, cell);
+    const double v = point.volume * point.volume_ratio;
     sum += v * cell_value<T, D>(body, p, cell, m.field);
     volume += v;
   });

@@ -7,6 +7,7 @@
 #include "engine/method/no_value.hpp"
 #include "engine/method/velocity_error.hpp"
 #include "engine/total_lagrangian/observe/cell_values.hpp"
+#include "engine/total_lagrangian/observe/place_in_cell.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
@@ -62,22 +63,13 @@ undeformed::FreeSurface<D> Measurer<T, D>::free_surface(int index) const {
 template <class T, int D>
 double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
   const Body<T, D>& body = state_.bodies[m.body];
+  const PlaceInCell<D> place = place_in_cell<T, D>(body, unpadded<D>(m.point));
+  const auto corners = body.corners(place.cell);
   double sum = 0, weights = 0;
   for (int c = 0; c < (1 << D); ++c) {
-    Cell<D> cell;
-    double weight = 1;
-    for (int a = 0; a < D; ++a) {
-      const double at = (m.point[a] - body.lattice.node(a, 0)) / body.lattice.spacing;
-      // A point on a face that rounding puts outside belongs to the cell inside.
-      const double floor = std::floor(at + 1e-9);
-      const int up = c >> a & 1;
-      cell[a] = static_cast<std::int32_t>(floor) + up;
-      weight *= up ? at - floor : 1 - (at - floor);
-    }
-    const std::int64_t p = body.layout.slot(cell);
-    if (p < 0 || !body.is_particle(p)) continue;
-    sum += weight * body.displacement[m.axis][p];
-    weights += weight;
+    if (corners[c] < 0 || !body.is_particle(corners[c])) continue;
+    sum += place.weight(c) * body.displacement[m.axis][corners[c]];
+    weights += place.weight(c);
   }
   return weights > 0.5 ? sum / weights : no_value;
 }

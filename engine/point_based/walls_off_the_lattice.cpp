@@ -1,4 +1,4 @@
-#include "engine/undeformed/walls_off_the_lattice.hpp"
+#include "engine/point_based/walls_off_the_lattice.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "engine/case/vocabulary/boundary_kinds.hpp"
 #include "engine/geometry/plane_across.hpp"
 
-namespace pliant::undeformed {
+namespace pliant::point_based {
 
 namespace {
 
@@ -49,4 +49,4 @@ void warn_of_walls_off_the_lattice(const Case& a_case, std::vector<std::string>&
   if (are_off) warn_of_thin_bodies(a_case, errors, warnings);
 }
 
-}  // namespace pliant::undeformed
+}  // namespace pliant::point_based
