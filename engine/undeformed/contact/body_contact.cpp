@@ -13,7 +13,11 @@ namespace pliant::undeformed {
 
 namespace {
 
-constexpr int meeting_sweeps = 4;  // Gauss-Seidel sweeps, since particles carry several corners
+// Gauss-Seidel sweeps, since particles carry several corners. What remains after them shakes bodies
+// that rest on each other. Where many particles carry each corner, neighbouring corners push nearly
+// the same particles, and sweeps converge slowly.
+constexpr int few_sweeps = 4, many_sweeps = 16;
+constexpr std::size_t many_carriers = 5;
 constexpr double too_deep = 0.45;  // depth of a corner in a body [spacing]
 
 /// Calls f(part, first, end) for the elements of one of `shares` equal shares of lists of these
@@ -73,8 +77,14 @@ void BodyContact<T, D>::face_each_other() {
     sides_.push_back(std::make_unique<Side>(*surfaces_[a], *surfaces_[b], c, 1));
     if (a != b) sides_.push_back(std::make_unique<Side>(*surfaces_[b], *surfaces_[a], c, -1));
   }
+  sweeps_ = few_sweeps;
   std::size_t carriers = 0;
-  for (const auto& surface : surfaces_) carriers += surface->marked().size();
+  for (const auto& surface : surfaces_) {
+    carriers += surface->marked().size();
+    for (std::int32_t corner = 0; corner < surface->corners(); ++corner) {
+      if (surface->shares(corner).size() >= many_carriers) sweeps_ = many_sweeps;
+    }
+  }
   state_.contact_marks.assign(carriers, {});
   state_.has_new_marks = true;
 }
@@ -177,7 +187,7 @@ void BodyContact<T, D>::sweep() {
   std::fill(state_.contact_force.begin(), state_.contact_force.end(), Point<D>{});
   if (!acts_) return;
   for (TiedSurfaces<T, D>& ties : ties_) ties.measure();
-  for (int sweep = 0; sweep < meeting_sweeps; ++sweep) {
+  for (int sweep = 0; sweep < sweeps_; ++sweep) {
     for (TiedSurfaces<T, D>& ties : ties_) ties.sweep();
     for (Found& found : found_) found.pairs.sweep(settings_.contacts, times_);
   }
