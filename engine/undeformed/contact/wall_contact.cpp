@@ -12,9 +12,9 @@ namespace pliant::undeformed {
 
 namespace {
 
-// Corners share particles, so a push may press a neighbour into the wall again. The error that
-// Gauss-Seidel sweeps leave in (TL.12) is a small share of the motion in a step.
-constexpr int sweeps = 4;
+// Corners share particles, so a push may press a neighbour into the wall again, or out of it.
+constexpr int most_sweeps = 8;
+constexpr double settled = 1e-3;           // of the largest change in a sweep
 constexpr double least_compliance = 1e-3;  // along the normal, relative to other directions
 
 Box<3> without_end() {
@@ -51,29 +51,41 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
     wall.drift = drift;
     search_.update(w, surfaces_, wall);
   }
-  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-    bool any_inside = true;
-    for (int sweep = 0; sweep < sweeps && any_inside; ++sweep) {
-      any_inside = false;
-      for (std::size_t w = 0; w < walls_.size(); ++w) {
-        for (const std::int32_t corner : state_.near_walls[w].corners[s]) {
-          if (!push(surfaces_[s], surfaces_[s].corners[corner], walls_[w])) continue;
-          any_inside = true;
-          if (static_cast<std::size_t>(corner) >= surfaces_[s].outer_corners().size()) {
-            state_.tool_inside = walls_[w].source;
-          }
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) push_out(s);
+}
+
+template <class T, int D>
+void WallContact<T, D>::push_out(std::size_t s) {
+  PushedSurface<T, D>& surface = surfaces_[s];
+  const std::size_t outer = surface.outer_corners().size();
+  std::size_t near = 0;
+  for (std::size_t w = 0; w < walls_.size(); ++w) near += state_.near_walls[w].corners[s].size();
+  given_.assign(near, {});
+  double first = 0;
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    double change = 0;
+    auto given = given_.begin();
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      for (const std::int32_t corner : state_.near_walls[w].corners[s]) {
+        const double moved = push(surface, surface.corners[corner], walls_[w], *given++);
+        change = std::max(change, moved);
+        if (moved > 0 && static_cast<std::size_t>(corner) >= outer) {
+          state_.tool_inside = walls_[w].source;
         }
       }
     }
+    first = std::max(first, change);
+    if (change <= settled * first) return;
   }
 }
 
 template <class T, int D>
-bool WallContact<T, D>::push(PushedSurface<T, D>& surface, const MovableCorner& corner,
-                             const MetWall<D>& met) {
-  if (surface.shape.shares(corner.number).size() > 2 &&
+double WallContact<T, D>::push(PushedSurface<T, D>& surface, const MovableCorner& corner,
+                               const MetWall<D>& met, Given& given) {
+  const bool has_met = given.impulse > 0 || given.moved > 0;
+  if (!has_met && surface.shape.shares(corner.number).size() > 2 &&
       !search_.may_touch(surface, corner.number, met, 0)) {
-    return false;
+    return 0;
   }
   Body<T, D>& body = *surface.body;
   const Wall<D>& wall = state_.boundaries.walls[met.number];
@@ -81,48 +93,54 @@ bool WallContact<T, D>::push(PushedSurface<T, D>& surface, const MovableCorner& 
   // The wall is in its place at the start of the step.
   Point<D> velocity = met.step.shift_at(x);
   x = difference<D>(x, velocity);
-  if (!search_.may_reach(met, x, 0)) return false;
+  if (!has_met && !search_.may_reach(met, x, 0)) return 0;
   for (double& component : velocity) component /= met.length;
   const double gap = wall.distance(x);
-  if (gap >= 0) return false;
+  if (!has_met && gap >= 0) return 0;
   const Point<D> n = wall.normal(x);
   const std::span<const Share> bearing = surface.carriers_of(corner);
   BodyCarriers<T, D> carriers(body, body.*moved_, surface.held);
   const double along = compliance<D>(carriers, bearing, n);
-  if (along < least_compliance * corner.compliance) return false;
-  Point<D> slip = carried<T, D>(body.velocity, bearing);
-  double normal_speed = 0, square = 0;
-  for (int a = 0; a < D; ++a) {
-    slip[a] -= velocity[a];
-    normal_speed += slip[a] * n[a];
-  }
-  for (int a = 0; a < D; ++a) {
-    slip[a] -= normal_speed * n[a];
-    square += slip[a] * slip[a];
-  }
+  if (along < least_compliance * corner.compliance) return 0;
+  const Point<D> slip = difference<D>(carried<T, D>(body.velocity, bearing), velocity);
+  const double normal_speed = dot<D>(slip, n);
   const bool in_middle = met.drift == met.length;
-  const double pushed = in_middle ? -gap / met.length : std::max(-normal_speed, 0.);
-  const double speed = std::sqrt(square);
-  const double most = met.friction > 0 ? met.friction * pushed : 0;
-  const double taken = speed > most ? most / speed : 1;  // share of the slip that friction takes
-  Point<D> impulse, moved, on_body;
+  const double impulse_now =
+      std::max((in_middle ? -gap / met.length : -normal_speed) / along, -given.impulse);
+  const double moved_now = std::max(-gap / along, -given.moved);
+  given.impulse += impulse_now;
+  given.moved += moved_now;
+  const Point<D> before = given.friction;
+  Point<D> sliding;
   for (int a = 0; a < D; ++a) {
-    impulse[a] = (pushed * n[a] - taken * slip[a]) / along;
-    moved[a] = (-gap * n[a] - met.drift * taken * slip[a]) / along;
+    sliding[a] = slip[a] - normal_speed * n[a];
+    given.friction[a] -= sliding[a] / along;
+  }
+  const double size = std::sqrt(dot<D>(given.friction, given.friction));
+  const double most = given.impulse > 0 ? met.friction * given.impulse : 0;
+  if (size > most) {
+    for (double& component : given.friction) component *= most / size;
+  }
+  Point<D> impulse, moved, on_body;
+  double lost = 0;
+  for (int a = 0; a < D; ++a) {
+    const double friction = given.friction[a] - before[a];
+    impulse[a] = impulse_now * n[a] + friction;
+    moved[a] = moved_now * n[a] + met.drift * friction;
+    lost -= met.inertia * friction * (sliding[a] + along * friction);
     on_body[a] = met.inertia * impulse[a];
     state_.energy.wall_work += on_body[a] * velocity[a];
     state_.power.wall_work += on_body[a] / met.kick * velocity[a];
   }
-  Wrench<D> given;
-  given.add(x, on_body);
-  state_.wall_impulse[met.number].add(given, 1);
-  state_.wall_force[met.number].add(given, 1 / met.kick);
+  Wrench<D> on_wall;
+  on_wall.add(x, on_body);
+  state_.wall_impulse[met.number].add(on_wall, 1);
+  state_.wall_force[met.number].add(on_wall, 1 / met.kick);
   // Loss by friction (PB.41).
-  const double lost = met.inertia * taken * (1 - taken) * square / along;
   state_.energy.friction += lost;
   state_.power.friction += lost / met.kick;
   push_point<D>(carriers, bearing, impulse, moved);
-  return true;
+  return along * std::max(met.length * std::sqrt(dot<D>(impulse, impulse)), std::abs(moved_now));
 }
 
 template class WallContact<double, 2>;

@@ -53,8 +53,17 @@ class WallContact {
   void apply(double time, double kick, double length, double drift);
 
  private:
-  /// Returns whether the corner was inside the wall.
-  bool push(PushedSurface<T, D>& surface, const MovableCorner& corner, const MetWall<D>& met);
+  /// What a wall has given to a corner in a step.
+  struct Given {
+    double impulse = 0, moved = 0;  ///< along the normal [N s], [kg m]
+    Point<D> friction = {};         ///< impulse along the wall [N s]
+  };
+
+  /// Gauss-Seidel sweeps over the corners of a surface.
+  void push_out(std::size_t surface);
+  /// Returns the distance by which it moves the corner, in the step or at its end [m].
+  double push(PushedSurface<T, D>& surface, const MovableCorner& corner, const MetWall<D>& met,
+              Given& given);
 
   State<D>& state_;
   Displacements<T, D> moved_;
@@ -62,6 +71,7 @@ class WallContact {
   std::vector<MetWall<D>> walls_;
   std::vector<PushedSurface<T, D>> surfaces_;
   WallSearch<T, D> search_;
+  std::vector<Given> given_;  ///< [corner near a wall] of one surface, wall by wall
 };
 
 extern template class WallContact<double, 2>;
