@@ -43,6 +43,28 @@ class FacetLoads {
     return shape_ == nullptr ? x : undeformed::onto_surface<D>(*shape_, x, body_.lattice.spacing);
   }
 
+  /// Share of the way from a particle inside to a place outside where the line leaves the body:
+  /// that at which the linear phi is zero, except for particles on a face, along which the line
+  /// may continue up to an edge.
+  double way_out(const Crossing<D>& crossing) const {
+    const double linear = crossing.fraction();
+    if (shape_ == nullptr || linear > 1e-6) return linear;
+    const auto is_inside = [&](double share) {
+      Point<D> x;
+      for (int a = 0; a < D; ++a) {
+        x[a] = (1 - share) * crossing.inside->place[a] + share * crossing.outside->place[a];
+      }
+      return signed_distance(*shape_, padded<D>(x), D) <= along_face * body_.lattice.spacing;
+    };
+    if (!is_inside(first_share)) return linear;
+    double inside = first_share, outside = 1;
+    while (outside - inside > no_depth) {
+      const double middle = (inside + outside) / 2;
+      (is_inside(middle) ? inside : outside) = middle;
+    }
+    return inside;
+  }
+
   /// Adds a patch to the body for each load on its last facet, and appends its shares to `loaded`.
   void add(const PlacesInCell<D>& places, std::vector<LoadedFacet<D>>& loaded) {
     if (boundaries_.pressures.empty()) return;
@@ -57,7 +79,7 @@ class FacetLoads {
       for (double& component : on_facet.moment) component *= area;
       loaded.push_back({static_cast<int>(body_.patches.size()), k, on_facet.weights,
                         area * on_facet.loaded.area, on_facet.moment});
-      body_.patches.push_back(patch(k, on_facet.loaded, normal));
+      body_.patches.push_back(patch(k, on_facet.loaded, normal, area));
     }
   }
 
@@ -117,13 +139,15 @@ class FacetLoads {
 
   // The patch of the last facet.
   SurfacePatch<D> patch(int pressure, const undeformed::LoadedPart<D>& loaded,
-                        const Point<D>& normal) const {
+                        const Point<D>& normal, double area) const {
     SurfacePatch<D> made = {static_cast<int>(body_.facets.size()) - 1, loaded.area, pressure};
     if (boundaries_.pressures[pressure].is_traction()) return made;
     made.share = dot<D>(loaded.vector, normal);
     Point<D> aside = loaded.vector;
     for (int a = 0; a < D; ++a) aside[a] -= made.share * normal[a];
     if (dot<D>(aside, aside) < no_vector * no_vector) return made;
+    // The sides of a sliver do not give directions in its plane.
+    if (area < sliver * std::pow(body_.lattice.spacing, D - 1)) return made;
     const auto& corner = body_.facets.back().vertex;
     for (int i = 1; i < D; ++i) {
       made.aside[i - 1] = dot<D>(aside, difference<D>(corner[i].start, corner[0].start));
@@ -159,9 +183,12 @@ class FacetLoads {
     return x;
   }
 
-  static constexpr double on_wall = 1e-5;    // [h]
+  static constexpr double on_wall = 1e-5;     // [h]
+  static constexpr double along_face = 1e-7;  // [h]
+  static constexpr double first_share = 1e-3;
   static constexpr double no_depth = 1e-9;   // [h]
   static constexpr double no_vector = 1e-9;  // relative to the area of a facet
+  static constexpr double sliver = 1e-6;     // [h^(D-1)]
 
   const Boundaries<D>& boundaries_;
   Body<T, D>& body_;

@@ -16,12 +16,13 @@ namespace {
 constexpr double smallest_area = 1e-9;  // [h^(D-1)]
 
 template <int D>
-Vertex<D> vertex(const Crossing<D>& crossing) {
+Vertex<D> vertex(const Crossing<D>& crossing, double fraction) {
   Vertex<D> v{static_cast<std::int32_t>(crossing.inside->slot),
               static_cast<std::int32_t>(crossing.outside->slot),
-              crossing.fraction(),
+              fraction,
               {}};
-  Eigen::Map<PlaceVector<D>>(v.start.data()) = crossing.place();
+  Eigen::Map<PlaceVector<D>>(v.start.data()) =
+      crossing.inside->place + fraction * (crossing.outside->place - crossing.inside->place);
   return v;
 }
 
@@ -85,7 +86,7 @@ class SurfaceMaker {
     Facet<D> facet;
     Point<D> centre = {};
     for (int v = 0; v < D; ++v) {
-      facet.vertex[v] = vertex(piece[v]);
+      facet.vertex[v] = vertex(piece[v], loads_.way_out(piece[v]));
       if (!body_.is_particle(facet.vertex[v].second))
         facet.vertex[v].second = facet.vertex[v].first;
       facet.vertex[v].start = loads_.onto_surface(facet.vertex[v].start);
@@ -95,12 +96,13 @@ class SurfaceMaker {
     return facet;
   }
 
-  static PlacesInCell<D> places_in_cell(const SurfacePiece<D>& piece, const Cell<D>& cell) {
+  PlacesInCell<D> places_in_cell(const SurfacePiece<D>& piece, const Cell<D>& cell) const {
     PlacesInCell<D> places;
     for (int v = 0; v < D; ++v) {
       const auto& [inside, outside] = std::pair{piece[v].inside->cell, piece[v].outside->cell};
+      const double fraction = loads_.way_out(piece[v]);
       for (int a = 0; a < D; ++a) {
-        places[v][a] = inside[a] - cell[a] + piece[v].fraction() * (outside[a] - inside[a]);
+        places[v][a] = inside[a] - cell[a] + fraction * (outside[a] - inside[a]);
       }
     }
     return places;
