@@ -3,13 +3,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/total_lagrangian/shifted_cells.hpp"
 
 // A wall holds the particles within half a spacing of it. They move onto its surface, so that the
 // body is held where the wall is. Where a wall ends on a free surface, the boundary between held
@@ -25,11 +24,9 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-constexpr double on_surface = 1e-9;   // [h] rounding errors of distances
-constexpr double layers = 3;          // over which a shift decays
-constexpr double smallest_det = 0.1;  // smallest det A of a cell, (TL.11)
-constexpr int most_halvings = 8;
-constexpr double same_face = 0.9;  // cosine between normals of a wall
+constexpr double on_surface = 1e-9;  // [h] rounding errors of distances
+constexpr double layers = 3;         // over which a shift decays
+constexpr double same_face = 0.9;    // cosine between normals of a wall
 
 template <int D>
 using Vec = Eigen::Matrix<double, D, 1>;
@@ -68,12 +65,12 @@ class WallFitter {
       if (shift && shift->norm() > on_surface * h_) spread_below(cell, *shift);
       if (!shift || wall_continues_inside(cell)) shift_onto_walls(p, cell);
     });
-    keep_cells_open();
-    find_flat_cells();
+    const ShiftedCells<T, D> cells(body_, held_);
+    cells.keep_open(shift_);
     WallFit<D> fit;
     fit.nodes.reserve(shift_.size());
     for (const auto& [slot, shift] : shift_) fit.nodes.push_back({slot, point<D>(shift)});
-    fit.flat_cells.assign(flat_.begin(), flat_.end());
+    fit.flat_cells = cells.flat(shift_);
     return fit;
   }
 
@@ -103,12 +100,11 @@ class WallFitter {
       const Point<D> at = point<D>(x + shift);
       const double distance = wall.distance(at);
       if (distance > h_ / 2 || std::abs(distance) < on_surface * h_) continue;
+      const bool is_deep = distance < -h_ / 2;
+      if (is_deep && !has_free_before(cell, wall, at)) continue;
       const Vec<D> normal = vec<D>(wall.normal(at)), onto = -distance * normal;
-      if (distance < -h_ / 2) {
-        if (has_free_before(cell, wall, normal)) shift += onto;
-        continue;
-      }
       shift += onto;
+      if (is_deep) continue;
       const auto [axis, up] = line_along(normal);
       for (int k = 1; k < layers; ++k) {
         Cell<D> beside = cell;
@@ -121,7 +117,7 @@ class WallFitter {
   }
 
   // Whether a particle behind a wall is a corner of a cell that the same face of the wall cuts.
-  bool has_free_before(const Cell<D>& cell, const Wall<D>& wall, const Vec<D>& normal) const {
+  bool has_free_before(const Cell<D>& cell, const Wall<D>& wall, const Point<D>& at) const {
     for (int c = 0; c < (1 << D); ++c) {
       Cell<D> around = cell;
       for (int a = 0; a < D; ++a) around[a] -= c >> a & 1;
@@ -130,7 +126,7 @@ class WallFitter {
       for (const std::int64_t q : body_.corners(around)) {
         if (held_[q]) continue;
         const Point<D> x = body_.lattice.node(body_.layout.cell(q));
-        if (vec<D>(wall.normal(x)).dot(normal) > same_face) return true;
+        if (vec<D>(wall.normal(x)).dot(vec<D>(wall.normal(at))) > same_face) return true;
       }
     }
     return false;
@@ -237,74 +233,12 @@ class WallFitter {
     if (shift.norm() > known.norm()) known = shift;
   }
 
-  using Corners = std::array<std::int64_t, (1 << D)>;
-
-  // det A of (TL.11).
-  double volume_of(const Corners& corners) const {
-    Eigen::Matrix<double, D, D> a = Eigen::Matrix<double, D, D>::Identity();
-    for (int c = 0; c < (1 << D); ++c) {
-      const auto found = shift_.find(static_cast<std::int32_t>(corners[c]));
-      if (found == shift_.end()) continue;
-      for (int j = 0; j < D; ++j) {
-        a.col(j) += (c >> j & 1 ? 2 : -2) / ((1 << D) * h_) * found->second;
-      }
-    }
-    return a.determinant();
-  }
-
-  bool is_held(const Corners& corners) const {
-    return std::ranges::all_of(corners, [&](std::int64_t q) { return held_[q]; });
-  }
-
-  bool has_free_corner(const Corners& corners) const {
-    return std::ranges::any_of(
-        corners, [&](std::int64_t q) { return q >= 0 && body_.is_particle(q) && !held_[q]; });
-  }
-
-  // Cells behind a wall that shifts have made flat, or have pulled into the body: what is there
-  // belongs to the cells before them.
-  void find_flat_cells() {
-    for (const auto& [slot, shift] : shift_) {
-      const Cell<D> corner = body_.layout.cell(slot);
-      for (int c = 0; c < (1 << D); ++c) {
-        Cell<D> cell = corner;
-        for (int a = 0; a < D; ++a) cell[a] -= c >> a & 1;
-        const std::int64_t p = body_.layout.slot(cell);
-        if (p < 0) continue;
-        const Corners corners = body_.corners(cell);
-        if (has_free_corner(corners)) continue;
-        if (!(body_.fraction[p] > 0) || volume_of(corners) < smallest_det) flat_.insert(cell);
-      }
-    }
-  }
-
-  // If a shift would collapse a cell, halves the shifts of its corners.
-  void keep_cells_open() {
-    for (int k = 0; k < most_halvings; ++k) {
-      std::set<std::int32_t> closing;
-      for_each_particle([&](std::int64_t p, const Cell<D>& cell) {
-        if (!(body_.fraction[p] > 0)) return;
-        const auto corners = body_.corners(cell);
-        const auto moves = [&](std::int64_t q) { return shift_.contains(static_cast<int>(q)); };
-        if (std::none_of(corners.begin(), corners.end(), moves)) return;
-        if (volume_of(corners) > smallest_det) return;
-        if (is_held(corners)) return;
-        for (const std::int64_t q : corners) {
-          if (moves(q)) closing.insert(static_cast<std::int32_t>(q));
-        }
-      });
-      if (closing.empty()) return;
-      for (const std::int32_t q : closing) shift_[q] /= 2;
-    }
-  }
-
   const Boundaries<D>& boundaries_;
   const Body<T, D>& body_;
   const Shape& shape_;
   double h_;
   std::vector<bool> held_;  // [slot]
-  std::map<std::int32_t, Vec<D>> shift_;
-  std::set<Cell<D>> flat_;
+  Shifts<D> shift_;
 };
 
 }  // namespace
