@@ -191,7 +191,7 @@ Eigen::Matrix<T, D, D> turn_of_normals(const Body<T, D>& body, const BlockGhosts
 
 }  // namespace
 
-// A uniform stress can have the normal tractions of both faces.
+// The traction of the uniform stress that fits those of the faces along their normals.
 template <class T, int D>
 kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                       const kernels::GhostFits<T, D>& fits, std::size_t ghost,
