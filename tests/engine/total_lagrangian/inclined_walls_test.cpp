@@ -109,6 +109,23 @@ TEST(inclined_walls, that_hold_a_block_press_it_as_walls_along_the_lattice_do) {
   }
 }
 
+// A beam at 30 degrees with three particles across bends by 0.86 of what one along the lattice
+// does.
+TEST(inclined_bodies, of_few_particles_are_warned_of) {
+  const auto warnings = [](double degrees, double spacing) {
+    const auto axes = turned(degrees);
+    return warnings_of_method(tests::read_text(
+        start_of_case(2, spacing) +
+        fmt::format("geometry = {{ shape = \"intersection\", of = [{}, {}, {{ shape = \"box\", "
+                    "lower = [-2, -2], upper = [2, 2] }}] }}\n",
+                    up_to(axes[1], 0.5), up_to(opposite(axes[1]), 0.5))));
+  };
+  ASSERT_EQ(warnings(30, 0.33).size(), 1u);
+  EXPECT_NE(warnings(30, 0.33)[0].find("it bends 7 to 15 % too little"), std::string::npos);
+  EXPECT_TRUE(warnings(30, 0.16).empty());
+  EXPECT_TRUE(warnings(0, 0.33).empty());
+}
+
 std::string ball(int dimension, double radius) {
   return fmt::format("{{ shape = \"{}\", centre = {}, radius = {} }}",
                      dimension == 2 ? "disc" : "ball", dimension == 2 ? "[0, 0]" : "[0, 0, 0]",
