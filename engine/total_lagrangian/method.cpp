@@ -1,8 +1,8 @@
 #include "engine/total_lagrangian/method.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/thickness.hpp"
