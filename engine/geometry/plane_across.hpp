@@ -12,4 +12,9 @@ inline bool is_plane_across(const Shape& shape, int axis) {
   return shape.kind == Shape::Kind::half_space && std::abs(shape.normal[axis]) > aligned;
 }
 
+/// The same for any axis.
+inline bool is_plane_along_lattice(const Shape& shape) {
+  return is_plane_across(shape, 0) || is_plane_across(shape, 1) || is_plane_across(shape, 2);
+}
+
 }  // namespace pliant

@@ -12,8 +12,7 @@ namespace pliant::point_based {
 namespace {
 
 bool lies_along_lattice(const Shape& wall) {
-  return wall.kind == Shape::Kind::box || is_plane_across(wall, 0) || is_plane_across(wall, 1) ||
-         is_plane_across(wall, 2);
+  return wall.kind == Shape::Kind::box || is_plane_along_lattice(wall);
 }
 
 /// Whether a ball is inside the bodies, which then have to follow its surface all around.

@@ -8,6 +8,7 @@
 
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/column.hpp"
 #include "engine/total_lagrangian/shifted_cells.hpp"
 
 // A wall holds the particles within half a spacing of it. They move onto its surface, so that the
@@ -28,21 +29,6 @@ constexpr double on_surface = 1e-9;  // [h] rounding errors of distances
 constexpr double layers = 3;         // over which a shift decays
 constexpr double same_face = 0.9;    // cosine between normals of a wall
 
-template <int D>
-using Vec = Eigen::Matrix<double, D, 1>;
-
-template <int D>
-Vec<D> vec(const Point<D>& x) {
-  return Eigen::Map<const Vec<D>>(x.data());
-}
-
-template <int D>
-Point<D> point(const Vec<D>& x) {
-  Point<D> p;
-  Eigen::Map<Vec<D>>(p.data()) = x;
-  return p;
-}
-
 template <class T, int D>
 class WallFitter {
  public:
@@ -60,7 +46,7 @@ class WallFitter {
   WallFit<D> operator()() {
     for_each_particle([&](std::int64_t p, const Cell<D>& cell) {
       if (!is_near_a_wall(cell)) return;
-      const std::optional<Vec<D>> shift =
+      const std::optional<Column<D>> shift =
           is_on_surface(p) ? shift_of_surface(p, cell) : std::nullopt;
       if (shift && shift->norm() > on_surface * h_) spread_below(cell, *shift);
       if (!shift || wall_continues_inside(cell)) shift_onto_walls(p, cell);
@@ -69,7 +55,7 @@ class WallFitter {
     cells.keep_open(shift_);
     WallFit<D> fit;
     fit.nodes.reserve(shift_.size());
-    for (const auto& [slot, shift] : shift_) fit.nodes.push_back({slot, point<D>(shift)});
+    for (const auto& [slot, shift] : shift_) fit.nodes.push_back({slot, as_point<D>(shift)});
     fit.flat_cells = cells.flat(shift_);
     return fit;
   }
@@ -84,7 +70,9 @@ class WallFitter {
     }
   }
 
-  double phi(const Vec<D>& x) const { return signed_distance(shape_, padded<D>(point<D>(x)), D); }
+  double phi(const Column<D>& x) const {
+    return signed_distance(shape_, padded<D>(as_point<D>(x)), D);
+  }
   bool is_on_surface(std::int64_t p) const { return std::abs(body_.level_set[p]) < h_ / 2; }
   bool is_near_a_wall(const Cell<D>& cell) const {
     return boundaries_.nearest_wall(body_.lattice.node(cell)).second < 2 * h_;
@@ -93,16 +81,16 @@ class WallFitter {
   // Walls are treated in turn: where two meet, a particle moves onto both.
   void shift_onto_walls(std::int64_t p, const Cell<D>& cell) {
     if (!held_[p]) return;
-    const Vec<D> x = vec<D>(body_.lattice.node(cell));
-    Vec<D> shift = Vec<D>::Zero();
+    const Column<D> x = column<D>(body_.lattice.node(cell));
+    Column<D> shift = Column<D>::Zero();
     for (const Wall<D>& wall : boundaries_.walls) {
       if (!wall.is_attached()) continue;
-      const Point<D> at = point<D>(x + shift);
+      const Point<D> at = as_point<D>(x + shift);
       const double distance = wall.distance(at);
       if (distance > h_ / 2 || std::abs(distance) < on_surface * h_) continue;
       const bool is_deep = distance < -h_ / 2;
       if (is_deep && !has_free_before(cell, wall, at)) continue;
-      const Vec<D> normal = vec<D>(wall.normal(at)), onto = -distance * normal;
+      const Column<D> normal = column<D>(wall.normal(at)), onto = -distance * normal;
       shift += onto;
       if (is_deep) continue;
       const auto [axis, up] = line_along(normal);
@@ -126,7 +114,7 @@ class WallFitter {
       for (const std::int64_t q : body_.corners(around)) {
         if (held_[q]) continue;
         const Point<D> x = body_.lattice.node(body_.layout.cell(q));
-        if (vec<D>(wall.normal(x)).dot(vec<D>(wall.normal(at))) > same_face) return true;
+        if (column<D>(wall.normal(x)).dot(column<D>(wall.normal(at))) > same_face) return true;
       }
     }
     return false;
@@ -134,15 +122,15 @@ class WallFitter {
 
   // A held particle moves onto the rim within half a spacing; in 3D also one that is diagonally
   // opposite to a free particle.
-  std::optional<Vec<D>> shift_of_surface(std::int64_t p, const Cell<D>& cell) const {
+  std::optional<Column<D>> shift_of_surface(std::int64_t p, const Cell<D>& cell) const {
     if (!held_[p]) return std::nullopt;
-    const Vec<D> x = vec<D>(body_.lattice.node(cell));
-    const Vec<D> n = normal(x), foot = x - phi(x) * n;
-    std::optional<Vec<D>> nearest;
+    const Column<D> x = column<D>(body_.lattice.node(cell));
+    const Column<D> n = normal(x), foot = x - phi(x) * n;
+    std::optional<Column<D>> nearest;
     for (const Wall<D>& wall : boundaries_.walls) {
-      const std::optional<Vec<D>> rim = rim_near(foot, n, wall);
+      const std::optional<Column<D>> rim = rim_near(foot, n, wall);
       if (!rim) continue;
-      const Vec<D> shift = *rim - foot;
+      const Column<D> shift = *rim - foot;
       if (!nearest || shift.norm() < nearest->norm()) nearest = shift;
     }
     if (!nearest) return std::nullopt;
@@ -153,43 +141,44 @@ class WallFitter {
 
   // Whether the wall continues inside the body instead of ending on the surface.
   bool wall_continues_inside(const Cell<D>& cell) const {
-    const auto [axis, up] = line_along(normal(vec<D>(body_.lattice.node(cell))));
+    const auto [axis, up] = line_along(normal(column<D>(body_.lattice.node(cell))));
     Cell<D> below = cell;
     below[axis] -= up ? 1 : -1;
     const std::int64_t p = body_.layout.slot(below);
     return p >= 0 && held_[p];
   }
 
-  Vec<D> normal(const Vec<D>& x) const {
-    const Vector n = outward_direction(shape_, padded<D>(point<D>(x)), D);
-    return Eigen::Map<const Vec<D>>(n.data());
+  Column<D> normal(const Column<D>& x) const {
+    const Vector n = outward_direction(shape_, padded<D>(as_point<D>(x)), D);
+    return Eigen::Map<const Column<D>>(n.data());
   }
 
   // Newton's method on the surface. The distance from a wall on the surface is 0 there. It is
   // therefore evaluated inside the wall, at decreasing depths, and projected along the side of the
   // wall.
-  std::optional<Vec<D>> rim_near(const Vec<D>& foot, const Vec<D>& n, const Wall<D>& wall) const {
-    Vec<D> rim = foot, out;
+  std::optional<Column<D>> rim_near(const Column<D>& foot, const Column<D>& n,
+                                    const Wall<D>& wall) const {
+    Column<D> rim = foot, out;
     double depth = 2 * h_;
     for (int k = 0; k < 4; ++k, depth /= 4) {
-      const Point<D> at = point<D>(rim + depth * n);
-      const Vec<D> direction = vec<D>(wall.normal(at));
+      const Point<D> at = as_point<D>(rim + depth * n);
+      const Column<D> direction = column<D>(wall.normal(at));
       const double slant = direction.dot(n);
-      const Vec<D> along = direction - slant * n;
+      const Column<D> along = direction - slant * n;
       const double square = along.squaredNorm();
       if (square < 0.25) return std::nullopt;  // this is the face of the wall on the body
       rim -= (wall.distance(at) - depth * slant) / square * along;
       out = along / std::sqrt(square);
     }
     // The surface must continue on both sides of the rim and be free on one.
-    const Vec<D> free = rim + 0.5 * h_ * out, covered = rim - 0.5 * h_ * out;
+    const Column<D> free = rim + 0.5 * h_ * out, covered = rim - 0.5 * h_ * out;
     if (std::abs(phi(free)) > 0.1 * h_ || std::abs(phi(covered)) > 0.1 * h_) return std::nullopt;
-    if (boundaries_.nearest_wall(point<D>(free)).second < 0.25 * h_) return std::nullopt;
+    if (boundaries_.nearest_wall(as_point<D>(free)).second < 0.25 * h_) return std::nullopt;
     return rim;
   }
 
   // Whether a free particle is diagonally opposite, towards the rim.
-  bool has_free_opposite(const Cell<D>& cell, const Vec<D>& n, const Vec<D>& shift) const {
+  bool has_free_opposite(const Cell<D>& cell, const Column<D>& n, const Column<D>& shift) const {
     bool found = false;
     Cell<D> lower = cell, upper = cell;
     for (int a = 0; a < D; ++a) {
@@ -197,7 +186,7 @@ class WallFitter {
       ++upper[a];
     }
     for_each_cell<D>(lower, upper, [&](const Cell<D>& other) {
-      Vec<D> offset;
+      Column<D> offset;
       for (int a = 0; a < D; ++a) offset[a] = other[a] - cell[a];
       if (offset.squaredNorm() != 2 || std::abs(offset.dot(n)) > 0.5 || offset.dot(shift) <= 0) {
         return;
@@ -209,8 +198,8 @@ class WallFitter {
   }
 
   // Spreads a shift along the lattice line nearest to the normal.
-  void spread_below(const Cell<D>& cell, const Vec<D>& shift) {
-    const auto [axis, up] = line_along(normal(vec<D>(body_.lattice.node(cell))));
+  void spread_below(const Cell<D>& cell, const Column<D>& shift) {
+    const auto [axis, up] = line_along(normal(column<D>(body_.lattice.node(cell))));
     for (int k = -1; k < layers; ++k) {
       Cell<D> at = cell;
       at[axis] -= up ? k : -k;
@@ -221,15 +210,16 @@ class WallFitter {
   }
 
   // The axis of the lattice line nearest to `n`, and whether `n` points along it.
-  static std::pair<int, bool> line_along(const Vec<D>& n) {
+  static std::pair<int, bool> line_along(const Column<D>& n) {
     int axis = 0;
     n.cwiseAbs().maxCoeff(&axis);
     return {axis, n[axis] > 0};
   }
 
   // Keeps the longest of several shifts.
-  void take(std::int64_t p, const Vec<D>& shift) {
-    Vec<D>& known = shift_.try_emplace(static_cast<std::int32_t>(p), Vec<D>::Zero()).first->second;
+  void take(std::int64_t p, const Column<D>& shift) {
+    Column<D>& known =
+        shift_.try_emplace(static_cast<std::int32_t>(p), Column<D>::Zero()).first->second;
     if (shift.norm() > known.norm()) known = shift;
   }
 

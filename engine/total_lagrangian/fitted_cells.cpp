@@ -4,17 +4,8 @@ namespace pliant::total_lagrangian {
 
 template <class T, int D>
 Eigen::Matrix<double, D, D> shape_of(const Body<T, D>& body, const Cell<D>& cell) {
-  const auto corners = body.corners(cell);
-  Eigen::Matrix<double, D, D> a = Eigen::Matrix<double, D, D>::Identity();
-  for (int c = 0; c < (1 << D); ++c) {
-    const Point<D> from_node = body.shift(corners[c]);
-    const Eigen::Matrix<double, D, 1> shift =
-        Eigen::Map<const Eigen::Matrix<double, D, 1>>(from_node.data());
-    for (int j = 0; j < D; ++j) {
-      a.col(j) += (c >> j & 1 ? 2 : -2) / ((1 << D) * body.lattice.spacing) * shift;
-    }
-  }
-  return a;
+  return shape_of<D>(body.corners(cell), body.lattice.spacing,
+                     [&](std::int64_t slot) { return column<D>(body.shift(slot)); });
 }
 
 template <class T, int D>

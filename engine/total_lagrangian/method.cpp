@@ -58,9 +58,7 @@ std::string summary(const Case& a_case) {
 }
 
 bool has_inclined_side(const Shape& shape) {
-  if (shape.kind == Shape::Kind::half_space) {
-    return !is_plane_across(shape, 0) && !is_plane_across(shape, 1) && !is_plane_across(shape, 2);
-  }
+  if (shape.kind == Shape::Kind::half_space) return !is_plane_along_lattice(shape);
   return std::ranges::any_of(shape.operands, has_inclined_side);
 }
 

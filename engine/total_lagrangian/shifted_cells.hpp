@@ -7,13 +7,13 @@
 #include <set>
 #include <vector>
 
-#include "engine/total_lagrangian/body.hpp"
+#include "engine/total_lagrangian/fitted_cells.hpp"
 
 namespace pliant::total_lagrangian {
 
 /// [slot] by how far particles start from their nodes [m], (TL.11).
 template <int D>
-using Shifts = std::map<std::int32_t, Eigen::Matrix<double, D, 1>>;
+using Shifts = std::map<std::int32_t, Column<D>>;
 
 /// The cells of a body whose corners are shifted. Keeps references.
 template <class T, int D>
@@ -69,15 +69,11 @@ class ShiftedCells {
 
   // det A of (TL.11).
   double volume_of(const Corners& corners, const Shifts<D>& shifts) const {
-    Eigen::Matrix<double, D, D> a = Eigen::Matrix<double, D, D>::Identity();
-    for (int c = 0; c < (1 << D); ++c) {
-      const auto found = shifts.find(static_cast<std::int32_t>(corners[c]));
-      if (found == shifts.end()) continue;
-      for (int j = 0; j < D; ++j) {
-        a.col(j) += (c >> j & 1 ? 2 : -2) / ((1 << D) * body_.lattice.spacing) * found->second;
-      }
-    }
-    return a.determinant();
+    const auto shift_of = [&](std::int64_t slot) -> Column<D> {
+      const auto found = shifts.find(static_cast<std::int32_t>(slot));
+      return found == shifts.end() ? Column<D>::Zero() : found->second;
+    };
+    return shape_of<D>(corners, body_.lattice.spacing, shift_of).determinant();
   }
 
   bool is_held(const Corners& corners) const {

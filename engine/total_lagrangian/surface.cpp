@@ -58,7 +58,7 @@ class SurfaceMaker {
       const Facet<D> made = facet(piece);
       if (norm<D>(area_vector(body_, made)) <= smallest_) return;
       body_.facets.push_back(made);
-      loads_.add(places_in_cell(piece, cell), loaded_);
+      loads_.add(places_in_cell(piece, made, cell), loaded_);
     });
     if (lies_on_a_face(cube)) equalise_shares(cube);
     for (const LoadedFacet<D>& facet : loaded_) push(cube, facet);
@@ -96,13 +96,13 @@ class SurfaceMaker {
     return facet;
   }
 
-  PlacesInCell<D> places_in_cell(const SurfacePiece<D>& piece, const Cell<D>& cell) const {
+  static PlacesInCell<D> places_in_cell(const SurfacePiece<D>& piece, const Facet<D>& made,
+                                        const Cell<D>& cell) {
     PlacesInCell<D> places;
     for (int v = 0; v < D; ++v) {
       const auto& [inside, outside] = std::pair{piece[v].inside->cell, piece[v].outside->cell};
-      const double fraction = loads_.way_out(piece[v]);
       for (int a = 0; a < D; ++a) {
-        places[v][a] = inside[a] - cell[a] + fraction * (outside[a] - inside[a]);
+        places[v][a] = inside[a] - cell[a] + made.vertex[v].along * (outside[a] - inside[a]);
       }
     }
     return places;

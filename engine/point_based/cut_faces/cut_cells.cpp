@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/point_based/cutting/column.hpp"
+#include "engine/lattice/column.hpp"
 #include "engine/point_based/cutting/subdivide.hpp"
 
 namespace pliant::point_based {

@@ -4,9 +4,9 @@
 #include <map>
 #include <vector>
 
+#include "engine/lattice/column.hpp"
 #include "engine/point_based/cut_faces/body_simplices.hpp"
 #include "engine/point_based/cut_faces/cut_pieces.hpp"
-#include "engine/point_based/cutting/column.hpp"
 
 namespace pliant::point_based {
 

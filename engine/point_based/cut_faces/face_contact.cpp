@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/point_based/cutting/column.hpp"
+#include "engine/lattice/column.hpp"
 #include "engine/point_based/cutting/subdivide.hpp"
 
 namespace pliant::point_based {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lattice/column.hpp"
 #include "engine/method/decompositions.hpp"
 #include "engine/point_based/cut_faces/face_contact.hpp"
-#include "engine/point_based/cutting/column.hpp"
 
 // The nodes that the faces of a cut move with, (PB.20).
 namespace pliant::point_based {

@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "engine/lattice/column.hpp"
 #include "engine/point_based/cut_faces/cut_pieces.hpp"
-#include "engine/point_based/cutting/column.hpp"
 
 namespace pliant::point_based {
 

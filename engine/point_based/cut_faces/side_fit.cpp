@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lattice/column.hpp"
 #include "engine/method/decompositions.hpp"
-#include "engine/point_based/cutting/column.hpp"
 
 namespace pliant::point_based {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/blocks/box.hpp"
-#include "engine/point_based/cutting/column.hpp"
+#include "engine/lattice/column.hpp"
 
 namespace pliant::point_based {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/point_based/cutting/column.hpp"
+#include "engine/lattice/column.hpp"
 #include "engine/point_based/cutting/crossing.hpp"
 #include "engine/point_based/cutting/subdivide.hpp"
 

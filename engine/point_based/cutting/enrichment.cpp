@@ -5,18 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/point_based/cutting/column.hpp"
+#include "engine/lattice/column.hpp"
 #include "engine/point_based/cutting/crossing.hpp"
 
 namespace pliant::point_based {
 namespace {
-
-template <int D>
-MaterialPoint<D> place(const Column<D>& x) {
-  MaterialPoint<D> out;
-  Eigen::Map<Column<D>>(out.data()) = x;
-  return out;
-}
 
 template <int D>
 Column<D> start_of_blade(const CutSurface<D>& cut, std::int32_t station) {
@@ -63,8 +56,8 @@ EnrichmentGrid<D>::EnrichmentGrid(const CutSurface<D>& cut) {
     length += (to - from).norm();
   }
   const Column<D> middle = weighted / length;
-  chord_ = place<D>(chord);
-  middle_ = place<D>(middle);
+  chord_ = as_point<D>(chord);
+  middle_ = as_point<D>(middle);
   ends_.reserve(last + 1);
   for (std::int32_t i = 0; i <= last; ++i) {
     ends_.push_back(chord.dot(centre(cut, i) - middle));
@@ -77,8 +70,8 @@ EnrichmentGrid<D>::EnrichmentGrid(const CutSurface<D>& cut) {
   for (std::int32_t i = 0; i < last; ++i) {
     const Column<D> from = (start_of_blade(cut, i) + start_of_blade(cut, i + 1)) / 2;
     const Column<D> to = (end_of_blade(cut, i) + end_of_blade(cut, i + 1)) / 2;
-    regions_.push_back({place<D>((from + to) / 2), place<D>(normal_between(cut, i)), place<D>(from),
-                        place<D>(to)});
+    regions_.push_back({as_point<D>((from + to) / 2), as_point<D>(normal_between(cut, i)),
+                        as_point<D>(from), as_point<D>(to)});
   }
 }
 

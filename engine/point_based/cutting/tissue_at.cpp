@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <limits>
 
-#include "engine/point_based/cutting/column.hpp"
+#include "engine/lattice/column.hpp"
 #include "engine/point_based/cutting/crossing.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 

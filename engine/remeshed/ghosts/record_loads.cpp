@@ -197,28 +197,23 @@ kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<
                                       const kernels::GhostFits<T, D>& fits, std::size_t ghost,
                                       const BoundaryValues<D>& values) {
   using Vector = Eigen::Matrix<T, D, 1>;
-  const Eigen::Matrix<T, D, D> turn = turn_of_normals(body, ghosts, ghost);
-  const auto for_each_face = [&](auto&& f) {
-    for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
-      const std::int64_t record = kernels::record_of(ghosts.pairs[k]);
-      const std::int8_t load = body.population.load[record];
-      const Vector face = Eigen::Map<const Vector>(body.population.face[record].data());
-      const Vector normal = face + turn * face;
-      Vector traction = Vector::Zero();
-      if (load >= 0) {
-        const T length = normal.norm();
-        for (int a = 0; a < D; ++a) traction[a] = static_cast<T>(values.traction[load][a]) * length;
-        traction -= static_cast<T>(values.pressure[load]) * normal;
-      }
-      f(FittedParticle<T, D>(ghosts, ghost, k).weight(), normal, traction);
-    }
-  };
   using Matrix = Eigen::Matrix<T, D, D>;
+  const Matrix turn = turn_of_normals(body, ghosts, ghost);
   Matrix squares = Matrix::Zero(), products = Matrix::Zero();
-  for_each_face([&](T w, const Vector& normal, const Vector& traction) {
+  for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
+    const std::int64_t record = kernels::record_of(ghosts.pairs[k]);
+    const std::int8_t load = body.population.load[record];
+    const T w = FittedParticle<T, D>(ghosts, ghost, k).weight();
+    const Vector face = Eigen::Map<const Vector>(body.population.face[record].data());
+    const Vector normal = face + turn * face;
     squares += w * normal * normal.transpose();
+    if (load < 0) continue;
+    const T length = normal.norm();
+    Vector traction;
+    for (int a = 0; a < D; ++a) traction[a] = static_cast<T>(values.traction[load][a]) * length;
+    traction -= static_cast<T>(values.pressure[load]) * normal;
     products += w * traction.dot(normal) / normal.squaredNorm() * normal * normal.transpose();
-  });
+  }
   squares.diagonal().array() += T(unseen) * squares.trace();
   const auto unit = kernels::unit_normal<T, D>(fits.linear);
   const Vector n = Eigen::Map<const Vector>(unit.data());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lattice/column.hpp"
 #include "engine/remeshed/loads/loaded_surface.hpp"
 
 namespace pliant::remeshed {
@@ -26,18 +27,6 @@ template <int D>
 using Balance = Eigen::Matrix<double, moments<D>, moments<D>>;
 
 template <int D>
-PlaceVector<D> vector_of(const Point<D>& x) {
-  return Eigen::Map<const PlaceVector<D>>(x.data());
-}
-
-template <int D>
-Point<D> point_of(const PlaceVector<D>& x) {
-  Point<D> point;
-  Eigen::Map<PlaceVector<D>>(point.data()) = x;
-  return point;
-}
-
-template <int D>
 Moment<D> cross(const PlaceVector<D>& x, const PlaceVector<D>& force) {
   if constexpr (D == 2) {
     return Moment<D>(x[0] * force[1] - x[1] * force[0]);
@@ -50,11 +39,11 @@ Moment<D> cross(const PlaceVector<D>& x, const PlaceVector<D>& force) {
 /// turn about the normal, and push along it with a part that is linear along the surface.
 template <int D>
 std::array<Square<D>, moments<D>> moment_fields(const std::array<Point<D>, D>& axes) {
-  const PlaceVector<D> n = vector_of<D>(axes[0]), s = vector_of<D>(axes[1]);
+  const PlaceVector<D> n = column<D>(axes[0]), s = column<D>(axes[1]);
   if constexpr (D == 2) {
     return {n * s.transpose()};
   } else {
-    const PlaceVector<D> t = vector_of<D>(axes[2]);
+    const PlaceVector<D> t = column<D>(axes[2]);
     return {t * s.transpose() - s * t.transpose(), n * s.transpose(), n * t.transpose()};
   }
 }
@@ -63,10 +52,10 @@ std::array<Square<D>, moments<D>> moment_fields(const std::array<Point<D>, D>& a
 template <int D>
 std::array<Point<D>, D> axes_of(const PlaceVector<D>& normal) {
   if constexpr (D == 2) {
-    return {point_of<D>(normal), Point<D>{-normal[1], normal[0]}};
+    return {as_point<D>(normal), Point<D>{-normal[1], normal[0]}};
   } else {
     const PlaceVector<D> s = normal.unitOrthogonal();
-    return {point_of<D>(normal), point_of<D>(s), point_of<D>(normal.cross(s))};
+    return {as_point<D>(normal), as_point<D>(s), as_point<D>(normal.cross(s))};
   }
 }
 
@@ -113,7 +102,7 @@ class ShareFinder {
     const PlaceVector<D> mean = behind.first / behind.material;
     patch.material = behind.material;
     patch.represented = behind.material / behind.of_particles;
-    patch.lever = point_of<D>(mean - centre);
+    patch.lever = as_point<D>(mean - centre);
     find_balance(behind.second / behind.material - mean * mean.transpose(), patch);
     for (std::size_t s = first; s < shear_.shares.size(); ++s) {
       Point<D>& offset = shear_.shares[s].offset;
@@ -130,7 +119,7 @@ class ShareFinder {
       std::array<PlaceVector<D>, D> places;
       PlaceVector<D> middle = PlaceVector<D>::Zero();
       for (int i = 0; i < D; ++i) {
-        places[i] = vector_of<D>(facets_[f].corners[i].place);
+        places[i] = column<D>(facets_[f].corners[i].place);
         middle += places[i] / D;
       }
       const PlaceVector<D> of_facet = facets_[f].share * area_under_traction(facets_[f], places);
@@ -156,7 +145,7 @@ class ShareFinder {
 
   // Places in a cylinder behind the patch.
   Behind<D> look_behind(const ShearPatch<D>& patch, const PlaceVector<D>& centre) {
-    const PlaceVector<D> n = vector_of<D>(patch.axes[0]);
+    const PlaceVector<D> n = column<D>(patch.axes[0]);
     const PlaceVector<D> middle = centre - depth / 2 * spacing_ * n;
     Cell<D> lower, upper;
     for (int a = 0; a < D; ++a) {
@@ -170,7 +159,7 @@ class ShareFinder {
     const auto number = static_cast<std::int32_t>(&patch - shear_.patches.data());
     for_each_cell<D>(lower, upper, [&](const Cell<D>& cell) {
       const Point<D> place = view_.body.lattice.node(cell);
-      const double weight = weight_at((vector_of<D>(place) - centre) / spacing_, n);
+      const double weight = weight_at((column<D>(place) - centre) / spacing_, n);
       if (weight > 0) add(cell, place, weight, number, behind);
     });
     return behind;
@@ -192,7 +181,7 @@ class ShareFinder {
     const double to_wall = boundaries_.nearest_wall(place).second / spacing_;
     const double material =
         weight * std::clamp(0.5 - phi, 0., 1.) * std::clamp(0.5 + to_wall, 0., 1.);
-    const PlaceVector<D> x = vector_of<D>(place);
+    const PlaceVector<D> x = column<D>(place);
     behind.material += material;
     behind.first += material * x;
     behind.second += material * x * x.transpose();
@@ -256,11 +245,11 @@ void evaluate_shear(Body<T, D>& body, int block, int stage, const BoundaryValues
       force += force_at_stage<T, D>(body, body.loaded[block][f], stage, values).shear;
     }
     const Eigen::Map<const Balance<D>> balance(patch.balance.data());
-    const Moment<D> share = -balance * cross<D>(vector_of<D>(patch.lever), force);
+    const Moment<D> share = -balance * cross<D>(column<D>(patch.lever), force);
     const auto fields = moment_fields<D>(patch.axes);
     Square<D> turn = Square<D>::Zero();
     for (int j = 0; j < moments<D>; ++j) turn += share[j] * fields[j];
-    patch.mean = point_of<D>(force / patch.material);
+    patch.mean = as_point<D>(force / patch.material);
     for (int i = 0; i < D; ++i) {
       for (int j = 0; j < D; ++j) patch.turn[i * D + j] = turn(i, j);
     }

@@ -11,6 +11,7 @@
 #include "engine/remeshed/neighbours/body_neighbours.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 #include "engine/remeshed/state/field_store.hpp"
+#include "engine/remeshed/state/loaded_facets.hpp"
 #include "engine/storage/buffer.hpp"
 #include "kernels/remeshed/ghosts/ghost_state.hpp"
 #include "kernels/remeshed/table.hpp"
@@ -154,59 +155,6 @@ struct BlockGhosts {
     constexpr int width = kernels::record_width<D>;
     return {{of}, {of + width}, {of + 2 * width}, constrained_sum[g], surface_sum[g]};
   }
-};
-
-/// A corner of a facet. It lies between two slots and moves with them.
-template <int D>
-struct FacetCorner {
-  std::int32_t inside, outside;  ///< slots
-  double fraction;               ///< share of the way from the inside slot to the outside one
-  Point<D> place;                ///< at xi = 0 [m]
-};
-
-/// A facet of {phi = 0} on which a load acts; its normal points out of the body.
-template <int D>
-struct LoadedFacet {
-  std::array<FacetCorner<D>, D> corners;
-  double share;                     ///< share in front of attached walls
-  std::array<std::int8_t, D> load;  ///< on each component of its area vector
-};
-
-/// Facets in one cube of nodes that are under a traction; they share the particles behind them.
-template <int D>
-struct ShearPatch {
-  /// Components of a moment.
-  static constexpr int moments = D == 2 ? 1 : 3;
-
-  std::int32_t first_facet = 0, facet_count = 0;
-  std::array<Point<D>, D> axes = {};  ///< the outward normal, and unit vectors along the facets
-  Point<D> lever = {};     ///< from the facets to the mean place of what is behind them [m]
-  double material = 0;     ///< W of (RP.107)
-  double represented = 1;  ///< W over the sum of w of the particles
-  std::array<double, moments* moments> balance = {};  ///< A^-1 of (RP.107) [1/m^2]
-
-  // In the present stage the force on a particle is w (mean + turn offset).
-  Point<D> mean = {};                  ///< [N, in 2D N/m]
-  std::array<double, D* D> turn = {};  ///< by rows [N/m, in 2D N/m^2]
-};
-
-/// A particle behind a patch.
-template <int D>
-struct ShearShare {
-  std::int32_t slot, patch;
-  double weight;    ///< w of (RP.107)
-  Point<D> offset;  ///< from the mean place of what is behind the patch [m]
-};
-
-/// The patches of one block, and the shares that particles have in patches.
-template <int D>
-struct BlockShear {
-  struct Index {
-    std::int32_t block, share;
-  };
-  std::vector<ShearPatch<D>> patches;
-  std::vector<ShearShare<D>> shares;  ///< in these patches, of particles of any block
-  std::vector<Index> own;             ///< shares of the particles of this block, in any patches
 };
 
 /// The slots of a body after a remeshing: places, kinds, and how ghosts read them.
