@@ -12,6 +12,7 @@
 #include "engine/method/initial_stress.hpp"
 #include "engine/method/initial_velocity.hpp"
 #include "engine/point_based/bonds/choose_neighbours.hpp"
+#include "engine/point_based/bonds/balance_bonds.hpp"
 #include "engine/point_based/bonds/node_frequency.hpp"
 #include "engine/point_based/bonds/patch_bonds.hpp"
 #include "engine/point_based/forces/node_groups.hpp"
@@ -178,8 +179,8 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
   BondChoice<D> choice = choose_neighbours(settings, nodes, body, workers);
   if (parameters_of(settings).gradient == NodeGradient::patch_exact) {
     correct_weights(nodes.cloud, body, choice);
-  } else if (!choice.is_lattice() || choice.neighbours != nodes_around(D)) {
-    balance_bonds(nodes.cloud, body, choice);
+  } else if (!nodes.cloud.is_lattice || choice.neighbours != nodes_around(D)) {
+    balance_bonds(nodes.cloud, body, boundaries, choice);
   }
   make_bonds(choice, body);
   if (!choice.is_lattice()) form_groups(body);

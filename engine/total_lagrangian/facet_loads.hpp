@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "engine/boundaries/walls.hpp"
+#include "engine/lattice/column.hpp"
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/total_lagrangian/body.hpp"
 #include "engine/total_lagrangian/load_shares.hpp"
@@ -49,20 +51,10 @@ class FacetLoads {
   double way_out(const Crossing<D>& crossing) const {
     const double linear = crossing.fraction();
     if (shape_ == nullptr || linear > 1e-6) return linear;
-    const auto is_inside = [&](double share) {
-      Point<D> x;
-      for (int a = 0; a < D; ++a) {
-        x[a] = (1 - share) * crossing.inside->place[a] + share * crossing.outside->place[a];
-      }
-      return signed_distance(*shape_, padded<D>(x), D) <= along_face * body_.lattice.spacing;
-    };
-    if (!is_inside(first_share)) return linear;
-    double inside = first_share, outside = 1;
-    while (outside - inside > no_depth) {
-      const double middle = (inside + outside) / 2;
-      (is_inside(middle) ? inside : outside) = middle;
-    }
-    return inside;
+    const double along = undeformed::way_along_face<D>(*shape_, pliant::as_point<D>(crossing.inside->place),
+                                                       pliant::as_point<D>(crossing.outside->place),
+                                                       body_.lattice.spacing);
+    return std::max(linear, along);
   }
 
   /// Adds a patch to the body for each load on its last facet, and appends its shares to `loaded`.
@@ -184,8 +176,6 @@ class FacetLoads {
   }
 
   static constexpr double on_wall = 1e-5;     // [h]
-  static constexpr double along_face = 1e-7;  // [h]
-  static constexpr double first_share = 1e-3;
   static constexpr double no_depth = 1e-9;   // [h]
   static constexpr double no_vector = 1e-9;  // relative to the area of a facet
   static constexpr double sliver = 1e-6;     // [h^(D-1)]

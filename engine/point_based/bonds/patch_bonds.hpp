@@ -10,9 +10,4 @@ namespace pliant::point_based {
 template <class T, int D>
 void correct_weights(const NodeCloud<D>& cloud, const Body<T, D>& body, BondChoice<D>& choice);
 
-/// Corrects the weights of the bonds of a body with irregular nodes so that a uniform stress exerts
-/// little force on interior nodes, (PB.61).
-template <class T, int D>
-void balance_bonds(const NodeCloud<D>& cloud, const Body<T, D>& body, BondChoice<D>& choice);
-
 }  // namespace pliant::point_based

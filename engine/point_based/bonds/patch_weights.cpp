@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // Weights with which moving least squares pass the patch test.
 //
@@ -21,6 +22,7 @@ constexpr int most_steps = 20, most_iterations = 4000;
 constexpr double balanced = 0.05;
 constexpr int most_steps_of_balance = 6, iterations_of_balance = 10;
 constexpr double longest_step = 1;  // of ln c
+constexpr double few = 1e-6;        // relative to the largest eigenvalue of a block
 
 template <int D>
 class PatchTest {
@@ -29,7 +31,10 @@ class PatchTest {
   using Matrix = Eigen::Matrix<double, D, D>;
   using Vectors = std::vector<Vector>;
 
-  explicit PatchTest(WeightedNodes<D>& nodes) : nodes_(nodes), all_(nodes.positions.size()) {
+  /// No weight changes by more than the factor `most_change`, or its inverse.
+  explicit PatchTest(WeightedNodes<D>& nodes,
+                     double most_change = std::numeric_limits<double>::infinity())
+      : nodes_(nodes), most_change_(std::log(most_change)), all_(nodes.positions.size()) {
     force_.resize(all_.size());
     scale_.resize(all_.size());
     for (std::size_t i = 0; i < all_.size(); ++i) {
@@ -47,17 +52,15 @@ class PatchTest {
     for (std::size_t i = 0; i < force_.size(); ++i) {
       if (is_held(i)) continue;
       const double area = std::pow(nodes_.volumes[i], (D - 1.) / D);
-      most = std::max(most, force_[i].norm() / area);
+      most = std::max(most, unborne(i, force_[i]).norm() / area);
     }
     return most;
   }
 
-  /// Sum of squared forces on nodes that are not held.
+  /// Sum of the squared forces that no wall bears.
   double square() const {
     double sum = 0;
-    for (std::size_t i = 0; i < force_.size(); ++i) {
-      if (!is_held(i)) sum += force_[i].squaredNorm();
-    }
+    for (std::size_t i = 0; i < force_.size(); ++i) sum += unborne(i, force_[i]).squaredNorm();
     return sum;
   }
 
@@ -72,7 +75,10 @@ class PatchTest {
     const double share = std::min(1., longest_step / longest);
     for (std::size_t i = 0; i < all_.size(); ++i) {
       for (std::size_t k = 0; k < all_[i].bonds.size(); ++k) {
-        nodes_.weight[i][k] *= std::exp(share * all_[i].bonds[k].change);
+        Bond& bond = all_[i].bonds[k];
+        const double log = std::clamp(bond.log + share * bond.change, -most_change_, most_change_);
+        nodes_.weight[i][k] *= std::exp(log - bond.log);
+        bond.log = log;
       }
     }
     evaluate();
@@ -83,12 +89,38 @@ class PatchTest {
     std::int32_t node;
     Vector x, u;            ///< X_ij; A^-1 X_ij
     double weight, change;  ///< V_i w_ij; change of ln c
+    double log = 0;         ///< ln c
   };
   struct Node {
     std::vector<Bond> bonds;
   };
 
+  static Matrix unit() { return Matrix::Identity(); }
+
   bool is_held(std::size_t i) const { return !nodes_.is_held.empty() && nodes_.is_held[i]; }
+
+  /// The part of a force on node i that no wall bears.
+  Vector unborne(std::size_t i, const Vector& force) const {
+    if (is_held(i)) return Vector::Zero();
+    if (nodes_.normal.empty()) return force;
+    const Eigen::Map<const Vector> n(nodes_.normal[i].data());
+    return force - n.dot(force) * n;
+  }
+
+  /// The inverse of a diagonal block for such parts.
+  Matrix inverse_block(std::size_t i, const Matrix& block) const {
+    if (is_held(i)) return Matrix::Zero();
+    // The bonds of its neighbours alone may reach a node in one direction only.
+    if (all_[i].bonds.empty()) return inverse_block_along(i, block + few * block.trace() * unit());
+    return inverse_block_along(i, block);
+  }
+
+  Matrix inverse_block_along(std::size_t i, const Matrix& block) const {
+    if (nodes_.normal.empty()) return block.inverse();
+    const Eigen::Map<const Vector> n(nodes_.normal[i].data());
+    const Matrix along = unit() - n * n.transpose();
+    return along * (along * block * along + block.trace() * n * n.transpose()).inverse() * along;
+  }
 
   /// Computes gradients and r of the present weights, and the diagonal blocks of J J^T.
   void evaluate() {
@@ -112,9 +144,7 @@ class PatchTest {
       }
       add_to_diagonal(i);
     }
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-      scale_[i] = is_held(i) ? Matrix::Zero() : scale_[i].inverse().eval();
-    }
+    for (std::size_t i = 0; i < all_.size(); ++i) scale_[i] = inverse_block(i, scale_[i]);
   }
 
   void add_to_diagonal(std::size_t i) {
@@ -159,10 +189,10 @@ class PatchTest {
     }
   }
 
-  /// Solves J J^T y = -r by conjugate gradients; y = 0 at held nodes.
+  /// Solves J J^T y = -r by conjugate gradients; y = 0 where walls bear any force.
   Vectors solve(double tolerance, int most_iterations) {
     Vectors y(all_.size(), Vector::Zero()), rest = force_, scaled(all_.size()), way, image = force_;
-    for (Vector& of_node : rest) of_node = -of_node;
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = unborne(i, -force_[i]);
     const auto scale = [&] {
       double product = 0;
       for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -176,6 +206,7 @@ class PatchTest {
     const double enough = tolerance * tolerance * product;
     for (int k = 0; k < most_iterations && product > enough; ++k) {
       apply(way, image);
+      for (std::size_t i = 0; i < way.size(); ++i) image[i] = unborne(i, image[i]);
       double curvature = 0;
       for (std::size_t i = 0; i < way.size(); ++i) curvature += way[i].dot(image[i]);
       if (!(curvature > 0)) break;
@@ -192,9 +223,10 @@ class PatchTest {
   }
 
   WeightedNodes<D>& nodes_;
+  double most_change_;  ///< of ln c
   std::vector<Node> all_;
   Vectors force_;              ///< r
-  std::vector<Matrix> scale_;  ///< inverse of the diagonal blocks of J J^T; 0 at held nodes
+  std::vector<Matrix> scale_;  ///< inverse of the diagonal blocks of J J^T
 };
 
 }  // namespace
@@ -212,8 +244,8 @@ double make_patch_exact(WeightedNodes<D>& nodes) {
 }
 
 template <int D>
-void balance_weights(WeightedNodes<D>& nodes) {
-  PatchTest<D> test(nodes);
+void balance_weights(WeightedNodes<D>& nodes, double most_change) {
+  PatchTest<D> test(nodes, most_change);
   double square = test.square();
   for (int step = 0; step < most_steps_of_balance && test.worst() > balanced; ++step) {
     const std::vector<std::vector<double>> before = nodes.weight;
@@ -227,8 +259,8 @@ void balance_weights(WeightedNodes<D>& nodes) {
   }
 }
 
-template void balance_weights<2>(WeightedNodes<2>&);
-template void balance_weights<3>(WeightedNodes<3>&);
+template void balance_weights<2>(WeightedNodes<2>&, double);
+template void balance_weights<3>(WeightedNodes<3>&, double);
 template double make_patch_exact<2>(WeightedNodes<2>&);
 template double make_patch_exact<3>(WeightedNodes<3>&);
 

@@ -16,8 +16,10 @@ namespace pliant::point_based {
 namespace {
 
 constexpr int points_to_a_side = 8;         // along a side of a node's cell
-constexpr double nearly_half = 0.5 + 1e-9;  // of the pitch, plus rounding
-constexpr double closest_on_walls = 0.25;   // [pitch]
+constexpr double rounding_of_moves = 1e-9;  // [pitch]
+constexpr double farthest_before = 0.5 + rounding_of_moves;  // [pitch] of nodes that move
+constexpr double farthest_behind = 0.75;                     // [pitch] so that none is missing
+constexpr double closest_on_walls = 0.25;                    // [pitch]
 
 // The part of a node's cell outside no-slip walls, as a share of what the body fills of the cell.
 template <int D>
@@ -65,7 +67,7 @@ void move_onto_walls(const Boundaries<D>& boundaries, const Point<D>& pitch, std
     double square = 0;
     for (int a = 0; a < D; ++a) square += n[a] * pitch[a] * n[a] * pitch[a];
     const double along = std::sqrt(square);
-    if (std::abs(distance) > nearly_half * along) continue;
+    if (distance > farthest_before * along || distance < -farthest_behind * along) continue;
     const Point<D> from = x;
     Point<D> beside;
     for (int a = 0; a < D; ++a) {
@@ -80,10 +82,14 @@ void move_onto_walls(const Boundaries<D>& boundaries, const Point<D>& pitch, std
 // and behind the wall do, the one that was farther from the wall goes back.
 template <int D>
 void part(std::vector<MovedNode<D>>& moved, std::vector<Point<D>>& positions) {
-  std::map<std::size_t, double> ways;  // of each moved node, the longest
+  struct Way {
+    double length;  // the longest [pitch]
+    Point<D> from;
+  };
+  std::map<std::size_t, Way> ways;  // of each moved node
   for (const MovedNode<D>& one : moved) {
-    double& way = ways[one.node];
-    way = std::max(way, std::abs(one.distance));
+    Way& way = ways.try_emplace(one.node, 0, one.from).first->second;
+    way.length = std::max(way.length, std::abs(one.distance));
   }
   if (ways.size() < 2) return;
   std::vector<std::size_t> nodes;
@@ -99,8 +105,9 @@ void part(std::vector<MovedNode<D>>& moved, std::vector<Point<D>>& positions) {
     if (found[1].distance > closest_on_walls * one.pitch) return false;
     const auto first = static_cast<std::size_t>(found[0].node);
     const std::size_t other = nodes[first == own ? found[1].node : first];
-    if (std::pair(ways[one.node], one.node) < std::pair(ways[other], other)) return false;
-    positions[one.node] = one.from;
+    const Way &way = ways.at(one.node), &of_other = ways.at(other);
+    if (std::pair(way.length, one.node) < std::pair(of_other.length, other)) return false;
+    positions[one.node] = way.from;
     return true;
   });
 }
@@ -142,6 +149,9 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
     if (cloud.elements.empty()) move_onto_walls<D>(boundaries, cell, i, x, moved);
   }
   part<D>(moved, cloud.positions);
+  for (const MovedNode<D>& one : moved) {
+    if (std::abs(one.distance) > rounding_of_moves) cloud.is_lattice = false;
+  }
   share_gaps(moved, cloud, elastic);
   return elastic;
 }

@@ -6,9 +6,11 @@
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/column.hpp"
 #include "engine/lattice/mean_phi.hpp"
 #include "engine/point_based/nodes/body_lattice.hpp"
 #include "engine/undeformed/body.hpp"
+#include "engine/undeformed/contact/surface_place.hpp"
 
 namespace pliant::point_based {
 
@@ -51,7 +53,10 @@ SurfaceLattice<D>::SurfaceLattice(const Shape& shape, double spacing)
     const double phi = distance(padded<D>(place(cell))) / spacing_;
     phi_.push_back(std::abs(phi) < on_shape ? -on_shape : phi);
   });
-  if (contains_mesh(shape)) phi_ = mean_phi<D>(phi_, extent_);
+  if (contains_mesh(shape))
+    phi_ = mean_phi<D>(phi_, extent_);
+  else
+    shape_ = &shape;
 }
 
 template <int D>
@@ -85,16 +90,18 @@ auto SurfaceLattice<D>::cube_at(const Cell<D>& cell) const -> std::pair<Cube, in
   return {cube, inside};
 }
 
-// At a point on the surface, all lines from it end in the same corner.
+// At a point on the surface, all lines from it end in the same corner, except those that run along
+// a face of the body up to its edge.
 template <int D>
-auto SurfaceLattice<D>::corner(const Crossing<D>& crossing) -> Corner {
-  const bool is_point = crossing.inside == crossing.outside;
-  const PlaceVector<D> at = is_point ? crossing.inside->place : crossing.place();
-  const bool ends_alike = is_point || crossing.fraction() < at_point;
-  Corner corner{{crossing.inside->slot, (ends_alike ? crossing.inside : crossing.outside)->slot},
-                {}};
-  for (int a = 0; a < D; ++a) corner.place[a] = at[a];
-  return corner;
+auto SurfaceLattice<D>::corner(const Crossing<D>& crossing) const -> Corner {
+  const SurfaceNode<D>&inside = *crossing.inside, &outside = *crossing.outside;
+  double way = &inside == &outside ? 0 : crossing.fraction();
+  if (&inside != &outside && way < at_point && shape_ != nullptr) {
+    way = undeformed::way_along_face<D>(*shape_, as_point<D>(inside.place),
+                                        as_point<D>(outside.place), spacing_);
+  }
+  const PlaceVector<D> at = inside.place + way * (outside.place - inside.place);
+  return {{inside.slot, (way < at_point ? inside : outside).slot}, as_point<D>(at)};
 }
 
 template <int D>

@@ -16,7 +16,7 @@ template <int D>
 class SurfaceLattice {
  public:
   /// The lattice is that of the nodes, `lattice_pitch`, so that points lie on all faces of a box.
-  /// Points on the surface count as inside.
+  /// Points on the surface count as inside. Keeps a reference to the shape.
   SurfaceLattice(const Shape& shape, double spacing);
 
   /// Identifies a corner by the two lattice points that it lies between; at a lattice point, both
@@ -42,7 +42,9 @@ class SurfaceLattice {
   std::int64_t slot(const Cell<D>& cell) const;
   /// The corners of a cell, and how many of them are inside.
   std::pair<Cube, int> cube_at(const Cell<D>& cell) const;
-  static Corner corner(const Crossing<D>& crossing);
+  Corner corner(const Crossing<D>& crossing) const;
+
+  const Shape* shape_ = nullptr;  ///< null where distances are expensive
 
   double spacing_;  ///< h of the case [m]
   Point<D> pitch_;  ///< distances of lattice points [m]

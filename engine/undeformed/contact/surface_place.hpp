@@ -51,6 +51,26 @@ SurfacePlace<D> surface_place(const Shape& shape, const Point<D>& x, const Point
   return {moved(place, -left / cosine), 1 / cosine};
 }
 
+/// The share of the way from a place `from` on a face of `shape` to a place outside at which the
+/// line leaves the shape, (TL.32). It is 0 unless the line runs along the face.
+template <int D>
+double way_along_face(const Shape& shape, const Point<D>& from, const Point<D>& to, double h) {
+  constexpr double along_face = 1e-7;  // [h]
+  constexpr double first_share = 1e-3, accuracy = 1e-9;
+  const auto is_inside = [&](double share) {
+    Point<D> x;
+    for (int a = 0; a < D; ++a) x[a] = (1 - share) * from[a] + share * to[a];
+    return signed_distance(shape, padded<D>(x), D) <= along_face * h;
+  };
+  if (!is_inside(first_share)) return 0;
+  double inside = first_share, outside = 1;
+  while (outside - inside > accuracy) {
+    const double middle = (inside + outside) / 2;
+    (is_inside(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
 /// A face of a body that a facet represents, (TL.29).
 template <int D>
 struct FaceOfFacet {
