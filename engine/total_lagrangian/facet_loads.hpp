@@ -51,9 +51,9 @@ class FacetLoads {
   double way_out(const Crossing<D>& crossing) const {
     const double linear = crossing.fraction();
     if (shape_ == nullptr || linear > 1e-6) return linear;
-    const double along = undeformed::way_along_face<D>(*shape_, pliant::as_point<D>(crossing.inside->place),
-                                                       pliant::as_point<D>(crossing.outside->place),
-                                                       body_.lattice.spacing);
+    const double along = undeformed::way_along_face<D>(
+        *shape_, pliant::as_point<D>(crossing.inside->place),
+        pliant::as_point<D>(crossing.outside->place), body_.lattice.spacing);
     return std::max(linear, along);
   }
 
@@ -175,7 +175,7 @@ class FacetLoads {
     return x;
   }
 
-  static constexpr double on_wall = 1e-5;     // [h]
+  static constexpr double on_wall = 1e-5;    // [h]
   static constexpr double no_depth = 1e-9;   // [h]
   static constexpr double no_vector = 1e-9;  // relative to the area of a facet
   static constexpr double sliver = 1e-6;     // [h^(D-1)]

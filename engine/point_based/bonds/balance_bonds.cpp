@@ -15,7 +15,6 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double least_facing = 0.7;   // cosine of the angle between a facet and the wall behind it
 constexpr double no_force = 0.05;      // of the stress times V^((D-1)/D)
 constexpr int layers_that_change = 2;  // of nodes around those with a force
 // Larger changes of weights shorten the time step; few nodes of a lattice ask for them.
@@ -44,17 +43,19 @@ class WallBearings {
         boundaries_(boundaries),
         reach_(0.5 * body.resolution) {}
 
-  /// The constrained node nearest to a facet that lies on a wall, -1 for other facets.
-  std::int64_t of(const std::array<Point<D>, D>& corners, const Point<D>& area) const {
-    if (nodes_.empty()) return -1;
+  /// The part of the area vector of a facet that lies on a wall: the constrained node nearest to it
+  /// bears this part. A facet that cuts off the edge beside a wall has another one, too.
+  BorneArea<D> of(const std::array<Point<D>, D>& corners, const Point<D>& area) const {
+    if (nodes_.empty()) return {};
     Point<D> middle = {};
     for (const Point<D>& corner : corners) {
-      if (boundaries_.nearest_wall(corner).second > reach_) return -1;
+      if (boundaries_.nearest_wall(corner).second > reach_) return {};
       for (int a = 0; a < D; ++a) middle[a] += corner[a] / D;
     }
-    const Point<D> n = boundaries_.walls[boundaries_.nearest_wall(middle).first].normal(middle);
-    const double facing = -dot<D>(n, area) / std::sqrt(dot<D>(area, area));
-    return facing > least_facing ? nodes_[nearest_.nearest(middle)] : -1;
+    Point<D> part = boundaries_.walls[boundaries_.nearest_wall(middle).first].normal(middle);
+    const double along = dot<D>(part, area);
+    for (double& component : part) component *= along;
+    return {nodes_[nearest_.nearest(middle)], part};
   }
 
  private:

@@ -38,8 +38,15 @@ class ChosenBonds {
   const BondChoice<D>& choice_;
 };
 
+/// A part of the area vector of a facet, and the node that bears it; -1: none.
+template <int D>
+struct BorneArea {
+  std::int64_t node = -1;
+  Point<D> area = {};
+};
+
 /// [node of the cloud] its share of the surface, outward [m^(D-1)]. A corner of a facet that is no
-/// node moves by (TL.15); `bearing(corners, area)` is the node that bears a whole facet, or -1.
+/// node moves by (TL.15); `bearing(corners, area)` is a part of a facet that does not move so.
 template <class T, int D, class Bearing>
 std::vector<Point<D>> surface_shares(const Body<T, D>& body, const ChosenBonds<D>& bonds,
                                      const Bearing& bearing) {
@@ -51,10 +58,10 @@ std::vector<Point<D>> surface_shares(const Body<T, D>& body, const ChosenBonds<D
   for (const auto& facet : body.surface.facet) {
     std::array<Point<D>, D> corner;
     for (int v = 0; v < D; ++v) corner[v] = body.surface.start[facet[v]];
-    const Point<D> area = undeformed::area_vector<D>(corner);
-    if (const std::int64_t node = bearing(corner, area); node >= 0) {
-      add(node, D, area);
-      continue;
+    Point<D> area = undeformed::area_vector<D>(corner);
+    if (const BorneArea<D> borne = bearing(corner, area); borne.node >= 0) {
+      add(borne.node, D, borne.area);
+      area = difference<D>(area, borne.area);
     }
     for (int v = 0; v < D; ++v) {
       const std::int64_t i = body.number[body.surface.node[facet[v]]];

@@ -39,7 +39,8 @@ WeightedNodes<D> weighted_nodes(const NodeCloud<D>& cloud, const Body<T, D>& bod
   WeightedNodes<D> nodes;
   nodes.positions = cloud.positions;
   nodes.volumes = cloud.volumes;
-  nodes.areas = surface_shares(body, bonds, [](const auto&, const auto&) { return -1; });
+  nodes.areas =
+      surface_shares(body, bonds, [](const auto&, const auto&) { return BorneArea<D>{}; });
   for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
     const auto node = static_cast<std::int64_t>(i);
     nodes.weight.push_back(bonds.weights(node));

@@ -30,6 +30,15 @@ double distance_between(const Point<D>& x, const Point<D>& y) {
   return length_of<D>(apart);
 }
 
+/// Whether `y` is in the cell of the lattice point `x`.
+template <int D>
+bool is_in_cell(const Point<D>& x, const Point<D>& pitch, const Point<D>& y) {
+  for (int a = 0; a < D; ++a) {
+    if (std::abs(y[a] - x[a]) > nearly_half_pitch * pitch[a]) return false;
+  }
+  return true;
+}
+
 template <int D>
 Point<D> direction_at(const Shape& face, const Point<D>& x) {
   const Vector n = outward_direction(face, padded<D>(x), D);
@@ -87,21 +96,29 @@ Point<D> Faces<D>::onto(Point<D> x, std::span<const int> faces) const {
 template <int D>
 std::vector<int> Faces<D>::near(const Point<D>& x, const Point<D>& pitch) const {
   std::vector<int> close;
+  std::vector<bool> is_within_half;  // of the pitch along the normal; others only cut the cell of x
   for (int f = 0; f < static_cast<int>(face_.size()) && close.size() < most_faces; ++f) {
     const double distance = std::abs(signed_distance(face_[f], padded<D>(x), D));
     if (distance > length_of<D>(pitch)) continue;
     Point<D> along = direction_at<D>(face_[f], x);
-    for (int a = 0; a < D; ++a) along[a] *= pitch[a];
-    if (distance <= nearly_half_pitch * length_of<D>(along)) close.push_back(f);
+    double side = 0;
+    for (int a = 0; a < D; ++a) side += std::abs(along[a] *= pitch[a]);
+    if (distance > nearly_half_pitch * side) continue;
+    close.push_back(f);
+    is_within_half.push_back(distance <= nearly_half_pitch * length_of<D>(along));
   }
   std::vector<int> best;
   double shortest = nearly_half_pitch * length_of<D>(pitch);
   for (unsigned set = 1; set < 1U << close.size(); ++set) {
     if (static_cast<std::size_t>(std::popcount(set)) < best.size()) continue;
     std::vector<int> faces;
+    bool are_within_half = true;
     for (std::size_t k = 0; k < close.size(); ++k) {
-      if ((set >> k & 1) != 0) faces.push_back(close[k]);
+      if ((set >> k & 1) == 0) continue;
+      faces.push_back(close[k]);
+      are_within_half = are_within_half && is_within_half[k];
     }
+    if (faces.size() == 1 && !are_within_half) continue;
     const Point<D> foot = onto(x, faces);
     const double way = distance_between<D>(foot, x);
     if (faces.size() == best.size() && way >= shortest) continue;
@@ -110,6 +127,7 @@ std::vector<int> Faces<D>::near(const Point<D>& x, const Point<D>& pitch) const 
       return std::abs(signed_distance(face_[f], padded<D>(foot), D)) <= on_all_faces * spacing_;
     });
     if (!meet || way > nearly_half_pitch * length_of<D>(pitch) || !hold(foot)) continue;
+    if (!are_within_half && !is_in_cell<D>(x, pitch, foot)) continue;
     best = faces;
     shortest = way;
   }

@@ -16,8 +16,9 @@ class Faces {
   /// Keeps a reference to `shape`; `spacing` [m] of the nodes sets the length scale.
   Faces(const Shape& shape, double spacing);
 
-  /// The faces onto which `x` can be moved, within half of `pitch` [m]: as many as meet in a point
-  /// of the surface. Empty where the surface is farther away.
+  /// The faces onto which the lattice point `x` can be moved, within half of `pitch` [m], or to an
+  /// edge or a corner in its cell: as many as meet in a point of the surface. Empty where the
+  /// surface is farther away.
   std::vector<int> near(const Point<D>& x, const Point<D>& pitch) const;
 
   /// The point nearest to `x` on all of these faces. A point that lies on them stays bitwise the

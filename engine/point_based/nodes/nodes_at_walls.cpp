@@ -15,8 +15,8 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr int points_to_a_side = 8;         // along a side of a node's cell
-constexpr double rounding_of_moves = 1e-9;  // [pitch]
+constexpr int points_to_a_side = 8;                          // along a side of a node's cell
+constexpr double rounding_of_moves = 1e-9;                   // [pitch]
 constexpr double farthest_before = 0.5 + rounding_of_moves;  // [pitch] of nodes that move
 constexpr double farthest_behind = 0.75;                     // [pitch] so that none is missing
 constexpr double closest_on_walls = 0.25;                    // [pitch]

@@ -16,7 +16,9 @@ namespace {
 // Gauss-Seidel sweeps, since particles carry several corners. What remains after them shakes bodies
 // that rest on each other. Where many particles carry each corner, neighbouring corners push nearly
 // the same particles, and sweeps converge slowly.
-constexpr int few_sweeps = 4, many_sweeps = 16;
+constexpr int few_sweeps = 4, most_sweeps = 256;
+constexpr double over_relaxation = 1.4;  // halves the sweeps where there are many
+constexpr double settled = 1e-3;         // of the largest change in the first sweep
 constexpr std::size_t many_carriers = 5;
 constexpr double too_deep = 0.45;  // depth of a corner in a body [spacing]
 
@@ -77,12 +79,15 @@ void BodyContact<T, D>::face_each_other() {
     sides_.push_back(std::make_unique<Side>(*surfaces_[a], *surfaces_[b], c, 1));
     if (a != b) sides_.push_back(std::make_unique<Side>(*surfaces_[b], *surfaces_[a], c, -1));
   }
-  sweeps_ = few_sweeps;
+  most_sweeps_ = few_sweeps;
+  relaxation_ = 1;
   std::size_t carriers = 0;
   for (const auto& surface : surfaces_) {
     carriers += surface->marked().size();
     for (std::int32_t corner = 0; corner < surface->corners(); ++corner) {
-      if (surface->shares(corner).size() >= many_carriers) sweeps_ = many_sweeps;
+      if (surface->shares(corner).size() < many_carriers) continue;
+      most_sweeps_ = most_sweeps;
+      relaxation_ = over_relaxation;
     }
   }
   state_.contact_marks.assign(carriers, {});
@@ -187,9 +192,15 @@ void BodyContact<T, D>::sweep() {
   std::fill(state_.contact_force.begin(), state_.contact_force.end(), Point<D>{});
   if (!acts_) return;
   for (TiedSurfaces<T, D>& ties : ties_) ties.measure();
-  for (int sweep = 0; sweep < sweeps_; ++sweep) {
+  double first = 0;
+  for (int sweep = 0; sweep < most_sweeps_; ++sweep) {
     for (TiedSurfaces<T, D>& ties : ties_) ties.sweep();
-    for (Found& found : found_) found.pairs.sweep(settings_.contacts, times_);
+    double change = 0;
+    for (Found& found : found_) {
+      change = std::max(change, found.pairs.sweep(settings_.contacts, times_, relaxation_));
+    }
+    first = std::max(first, change);
+    if (sweep + 1 >= few_sweeps && change <= settled * first) break;
   }
   add_totals();
   for (const auto& surface : surfaces_) surface->write_motion();

@@ -93,7 +93,8 @@ class BodyContact {
   std::vector<std::unique_ptr<Surface>> surfaces_;  ///< [body]
   std::vector<std::unique_ptr<Side>> sides_;
   std::vector<TiedSurfaces<T, D>> ties_;
-  int sweeps_ = 0;            ///< in a step
+  int most_sweeps_ = 0;       ///< in a step
+  double relaxation_ = 1;     ///< of the sweeps
   bool acts_ = false;         ///< whether bodies may touch in the present step, or are tied
   std::vector<Found> found_;  ///< [block] in the present step
 };

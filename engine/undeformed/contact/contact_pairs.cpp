@@ -88,27 +88,32 @@ ContactMotion<D> ContactPairs<T, D>::relative(const ContactPair<T, D>& pair) con
 }
 
 template <class T, int D>
-void ContactPairs<T, D>::sweep(std::span<const ContactCase> contacts, const ContactTimes& times) {
+double ContactPairs<T, D>::sweep(std::span<const ContactCase> contacts, const ContactTimes& times,
+                                 double relaxation) {
+  double most = 0;
   for (ContactPair<T, D>& pair : pairs_) {
-    push(pair, contacts[pair.side->contact], times.drift);
+    most = std::max(most, push(pair, contacts[pair.side->contact], times.drift, relaxation));
   }
+  return most;
 }
 
 // Summed impulses never pull, and friction is limited by the summed normal impulse: a sweep
 // corrects what an earlier one has pushed too far.
 template <class T, int D>
-void ContactPairs<T, D>::push(ContactPair<T, D>& pair, const ContactCase& law, double drift) {
+double ContactPairs<T, D>::push(ContactPair<T, D>& pair, const ContactCase& law, double drift,
+                                double relaxation) {
   const Point<D>& n = pair.touch.normal;
   const auto [w, apart] = relative(pair);
   const double gap = pair.touch.gap + dot<D>(apart, n), speed = dot<D>(w, n);
   const double impulse_now =
-      std::max(-(speed + pair.approach) / pair.compliance, -pair.normal_impulse);
-  const double shift_now = std::max(-gap / pair.compliance, -pair.normal_shift);
+      std::max(-relaxation * (speed + pair.approach) / pair.compliance, -pair.normal_impulse);
+  const double shift_now = std::max(-relaxation * gap / pair.compliance, -pair.normal_shift);
   pair.normal_impulse += impulse_now;
   pair.normal_shift += shift_now;
   Point<D> friction = pair.friction_impulse;
   if (law.law != ContactLaw::frictionless) {
-    for (int a = 0; a < D; ++a) friction[a] -= (w[a] - speed * n[a]) / pair.largest_compliance;
+    for (int a = 0; a < D; ++a)
+      friction[a] -= relaxation * (w[a] - speed * n[a]) / pair.largest_compliance;
     const double size = std::sqrt(dot<D>(friction, friction));
     const double most = law.law == ContactLaw::coulomb ? law.friction * pair.normal_impulse
                         : pair.normal_impulse > 0      ? std::numeric_limits<double>::infinity()
@@ -123,11 +128,13 @@ void ContactPairs<T, D>::push(ContactPair<T, D>& pair, const ContactCase& law, d
     impulse[a] = impulse_now * n[a] + along;
     shift[a] = shift_now * n[a] + drift * along;
   }
-  if (impulse == Point<D>{} && shift == Point<D>{}) return;
+  if (impulse == Point<D>{} && shift == Point<D>{}) return 0;
   pair.friction_impulse = friction;
+  const double change = pair.compliance * std::sqrt(dot<D>(impulse, impulse));
   push_point<D>(pair.side->corners, corner_shares(pair), impulse, shift);
   for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], shift[a] = -shift[a];
   push_point<D>(pair.side->facets, facet_shares(pair), impulse, shift);
+  return change;
 }
 
 template class ContactPairs<double, 2>;

@@ -46,8 +46,9 @@ class ContactPairs {
   /// Adds those touches to which bodies can respond.
   void add(const ContactSide<T, D>& side, std::span<const Penetration<D>> touches,
            const ContactTimes& times);
-  /// One Gauss-Seidel sweep over all pairs.
-  void sweep(std::span<const ContactCase> contacts, const ContactTimes& times);
+  /// One Gauss-Seidel sweep over all pairs, whose changes are multiplied by `relaxation`. Returns
+  /// the largest change of the velocity between two [m/s].
+  double sweep(std::span<const ContactCase> contacts, const ContactTimes& times, double relaxation);
   const std::vector<ContactPair<T, D>>& all() const { return pairs_; }
   /// Velocity of the corner relative to the point that it touches [m/s].
   Point<D> slip(const ContactPair<T, D>& pair) const { return relative(pair).velocity; }
@@ -56,7 +57,7 @@ class ContactPairs {
   Point<D> face_before(const ContactPair<T, D>& pair, const std::array<Point<D>, D>& c,
                        double drift) const;
   void prepare(ContactPair<T, D>& pair, const ContactTimes& times);
-  void push(ContactPair<T, D>& pair, const ContactCase& law, double drift);
+  double push(ContactPair<T, D>& pair, const ContactCase& law, double drift, double relaxation);
   ContactMotion<D> relative(const ContactPair<T, D>& pair) const;
   std::span<const Share> corner_shares(const ContactPair<T, D>& pair) const {
     return pair.side->corners.shares(pair.touch.corner);

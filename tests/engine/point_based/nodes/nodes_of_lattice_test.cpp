@@ -119,20 +119,26 @@ TEST(lattice_nodes, of_a_disc_have_its_second_moment) {
   }
 }
 
-// A square turned by 0.5: there are nodes on its corners and on its sides.
+// There are nodes on the corners and on the sides. No lattice point need be within half of the
+// pitch of both sides of a corner.
 TEST(lattice_nodes, of_a_turned_square_lie_on_its_corners) {
-  const double c = std::cos(0.5), s = std::sin(0.5);
-  const Shape square = of(Shape::Kind::intersect,
-                          {half_space({c, s, 0}, {c, s, 0}), half_space({-c, -s, 0}, {-c, -s, 0}),
-                           half_space({-s, c, 0}, {-s, c, 0}), half_space({s, -c, 0}, {s, -c, 0}),
-                           box({-c - s, -c - s, 0}, {c + s, c + s, 0})});
-  const auto cloud = lattice_nodes<2>(square, 0.25);
-  EXPECT_NEAR(volume_of(cloud), 4, 1e-3);
-  const point_based::NearestNodes<2> nearest(cloud.positions);
-  for (const double along : {-1., 1.}) {
-    for (const double across : {-1., 1.}) {
-      const Point<2> corner = {along * c - across * s, along * s + across * c};
-      EXPECT_LT(nearest.nearest(corner, 1)[0].distance, 1e-6) << along << " " << across;
+  for (const double angle : {0.35, 0.5, std::numbers::pi / 6, std::numbers::pi / 4}) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const Shape square = of(Shape::Kind::intersect,
+                            {half_space({c, s, 0}, {c, s, 0}), half_space({-c, -s, 0}, {-c, -s, 0}),
+                             half_space({-s, c, 0}, {-s, c, 0}), half_space({s, -c, 0}, {s, -c, 0}),
+                             box({-c - s, -c - s, 0}, {c + s, c + s, 0})});
+    for (const double spacing : {0.25, 2. / 7, 0.2}) {
+      const auto cloud = lattice_nodes<2>(square, spacing);
+      EXPECT_NEAR(volume_of(cloud), 4, 1e-3);
+      const point_based::NearestNodes<2> nearest(cloud.positions);
+      for (const double along : {-1., 1.}) {
+        for (const double across : {-1., 1.}) {
+          const Point<2> corner = {along * c - across * s, along * s + across * c};
+          EXPECT_LT(nearest.nearest(corner, 1)[0].distance, 1e-6)
+              << angle << ' ' << spacing << ' ' << along << ' ' << across;
+        }
+      }
     }
   }
 }

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "engine/undeformed/body.hpp"
 
@@ -32,6 +34,29 @@ TEST(surface_lattice, of_a_box_has_its_faces_at_spacings_that_do_not_divide_it) 
     }
     EXPECT_NEAR(area, 2 * (2 + 10 + 20), 1e-6);
     EXPECT_NEAR(end, 2, 1e-6);
+  }
+}
+
+// The corner of the quarter and its straight sides are on the lattice. From a point on a side, the
+// line across a cell runs along the side up to the circle.
+TEST(surface_lattice, of_a_quarter_of_a_disc_follows_its_sides_to_the_circle) {
+  Shape disc, box, quarter;
+  disc.kind = Shape::Kind::ball;
+  disc.radius = 1;
+  box.kind = Shape::Kind::box;
+  box.upper = {9, 9, 9};
+  quarter.kind = Shape::Kind::intersect;
+  quarter.operands = {disc, box};
+  for (const double spacing : {0.125, 0.1}) {
+    double length = 0;
+    Point<2> sum = {};
+    for (const auto& facet : SurfaceLattice<2>(quarter, spacing).facets()) {
+      const auto a = undeformed::area_vector<2>({facet[0].place, facet[1].place});
+      length += std::hypot(a[0], a[1]);
+      for (int axis = 0; axis < 2; ++axis) sum[axis] += std::max(a[axis], 0.);
+    }
+    EXPECT_NEAR(length, 2 + std::numbers::pi / 2, 0.005) << spacing;
+    for (const double side : sum) EXPECT_NEAR(side, 1, 1e-6) << spacing;
   }
 }
 
