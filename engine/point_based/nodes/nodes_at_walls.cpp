@@ -88,7 +88,7 @@ void part(std::vector<MovedNode<D>>& moved, std::vector<Point<D>>& positions) {
   };
   std::map<std::size_t, Way> ways;  // of each moved node
   for (const MovedNode<D>& one : moved) {
-    Way& way = ways.try_emplace(one.node, 0, one.from).first->second;
+    Way& way = ways.try_emplace(one.node, Way{0, one.from}).first->second;
     way.length = std::max(way.length, std::abs(one.distance));
   }
   if (ways.size() < 2) return;
