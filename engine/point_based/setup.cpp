@@ -179,7 +179,7 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
   BondChoice<D> choice = choose_neighbours(settings, nodes, body, workers);
   if (parameters_of(settings).gradient == NodeGradient::patch_exact) {
     correct_weights(nodes.cloud, body, choice);
-  } else if (!nodes.cloud.is_lattice || choice.neighbours != nodes_around(D)) {
+  } else if (!nodes.cloud.is_regular || choice.neighbours != nodes_around(D)) {
     balance_bonds(nodes.cloud, body, boundaries, choice);
   }
   make_bonds(choice, body);

@@ -83,7 +83,7 @@ class Balance {
       : bonds_(cloud, choice),
         choice_(choice),
         is_held_(cloud.positions.size()),
-        has_bonds_(cloud.positions.size(), true),
+        count_(cloud.positions.size()),
         normal_(cloud.positions.size()) {
     const WallBearings<T, D> walls(body, cloud.positions, boundaries);
     areas_ = surface_shares(body, bonds_, [&walls](const auto& corners, const Point<D>& area) {
@@ -143,8 +143,9 @@ class Balance {
       add(i, -1, areas_[i]);
       const NodeOperator<D> made = bonds_.gradient(i);
       if (made.rank < D) is_held_[i] = true;
-      has_bonds_[i] = choice_.elastic_volumes[i] > 0 && made.rank == D;
-      if (has_bonds_[i]) add_forces(i, made, add);
+      if (!(choice_.elastic_volumes[i] > 0) || made.rank < D) continue;
+      count_[i] = made.gradient.size();
+      add_forces(i, made, add);
     }
     std::vector<bool> changes(areas_.size());
     for (std::int64_t i = 0; i < nodes(); ++i) {
@@ -160,9 +161,7 @@ class Balance {
   std::vector<bool> with_neighbours(const std::vector<bool>& inner) const {
     std::vector<bool> all = inner;
     for (std::int64_t i = 0; i < nodes(); ++i) {
-      if (!has_bonds_[i]) continue;
-      const std::size_t count = bonds_.weights(i).size();
-      for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t k = 0; k < count_[i]; ++k) {
         const std::int32_t j = bonds_.neighbour(i, k);
         if (inner[i]) all[j] = true;
         if (inner[j]) all[i] = true;
@@ -194,17 +193,16 @@ class Balance {
       for (int a = 0; a < D; ++a) part.areas[number[node]][a] -= sign * force[a];
     };
     for (const std::int64_t i : members_) {
-      if (!changes[i] || !has_bonds_[i]) continue;
+      if (!changes[i] || count_[i] == 0) continue;
       part.weight[number[i]] = bonds_.weights(i);
-      for (std::size_t k = 0; k < part.weight[number[i]].size(); ++k) {
+      for (std::size_t k = 0; k < count_[i]; ++k) {
         part.neighbour[number[i]].push_back(number[bonds_.neighbour(i, k)]);
       }
     }
     for (std::int64_t i = 0; i < nodes(); ++i) {
-      if (changes[i] || !has_bonds_[i]) continue;
+      if (changes[i] || count_[i] == 0) continue;
       bool reaches = takes_part[i];
-      const std::size_t count = bonds_.weights(i).size();
-      for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t k = 0; k < count_[i]; ++k) {
         reaches = reaches || takes_part[bonds_.neighbour(i, k)];
       }
       if (reaches) add_forces(i, bonds_.gradient(i), add);
@@ -214,10 +212,10 @@ class Balance {
 
   ChosenBonds<D> bonds_;
   BondChoice<D>& choice_;
-  std::vector<bool> is_held_;     ///< [node] may take any force
-  std::vector<bool> has_bonds_;   ///< [node]
-  std::vector<Point<D>> normal_;  ///< [node] of the wall that guides it; 0: none
-  std::vector<Point<D>> areas_;   ///< [node] (PB.51)
+  std::vector<bool> is_held_;       ///< [node] may take any force
+  std::vector<std::size_t> count_;  ///< [node] of its bonds that have an energy
+  std::vector<Point<D>> normal_;    ///< [node] of the wall that guides it; 0: none
+  std::vector<Point<D>> areas_;     ///< [node] (PB.51)
   std::vector<std::int64_t> members_;
 };
 

@@ -47,7 +47,7 @@ class NodePlacer {
     NodeCloud<D> cloud;
     for (const PlacedNode<D>& node : nodes_) cloud.positions.push_back(node.x);
     cloud.volumes = std::move(cells.volumes);
-    cloud.is_lattice = fits && std::ranges::all_of(is_chosen, [](bool chosen) { return chosen; });
+    cloud.is_regular = fits && std::ranges::all_of(is_chosen, [](bool chosen) { return chosen; });
     return cloud;
   }
 

@@ -14,7 +14,7 @@ struct NodeCloud {
   /// [element] nodes of the triangles (2D, counter-clockwise) or tetrahedra (3D, positive volume)
   /// that fill the body; empty where the nodes do not come from a mesh.
   std::vector<std::array<std::int32_t, D + 1>> elements;
-  bool is_lattice = false;  ///< whether the nodes are all points of a lattice, which none has left
+  bool is_regular = false;  ///< whether the nodes are all points of a lattice, which none has left
 };
 
 }  // namespace pliant::point_based

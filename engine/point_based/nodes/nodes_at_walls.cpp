@@ -150,7 +150,7 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
   }
   part<D>(moved, cloud.positions);
   for (const MovedNode<D>& one : moved) {
-    if (std::abs(one.distance) > rounding_of_moves) cloud.is_lattice = false;
+    if (std::abs(one.distance) > rounding_of_moves) cloud.is_regular = false;
   }
   share_gaps(moved, cloud, elastic);
   return elastic;
