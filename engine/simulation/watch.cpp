@@ -85,8 +85,10 @@ void Watch::look(Solver& solver) {
     is_known_ = 1;
     budget_ = *balance.budget;
     created_ = present_.total_energy - start_.total_energy - budget_.work() + budget_.losses();
-    // Under an initial stress the strain energy becomes negative where a body springs back.
-    const double energy = std::max(present_.total_energy, present_.kinetic_energy);
+    // Under an initial stress the strain energy becomes negative where a body springs back. What it
+    // has given up by then is an energy like any other, even if damping keeps the body slow.
+    const double energy = std::max({present_.total_energy, present_.kinetic_energy,
+                                    start_.total_energy - present_.total_energy});
     scale_ = std::max(scale_, largest_of(budget_, energy - std::max(created_, 0.)));
     if (scale_ > rounding_energy()) keep(energy_, created_ / scale_);
   }

@@ -28,13 +28,13 @@ namespace pliant {
 
 template <class Visitor>
 void remeshing_keys(Visitor& visit, decltype(Case::remeshing)& remeshing) {
-  visit(
-      "every", RemeshRule{remeshing},
-      {.meaning = R"(number of time steps between two remeshings, "adaptive" (RP.39; with contact )"
-                  R"(after ten steps at the latest while bodies move) or "never")",
-       .unit = "steps",
-       .example = "10",
-       .limits = at_least_one});
+  visit("every", RemeshRule{remeshing},
+        {.meaning =
+             R"(number of time steps between two remeshings, "adaptive" (RP.39; with contact )"
+             R"(after ten steps at the latest while bodies move; in 2D see (RP.108)) or "never")",
+         .unit = "steps",
+         .example = "10",
+         .limits = at_least_one});
   visit("strain_threshold", remeshing.strain_threshold,
         {.meaning = R"(strain since the last remeshing at which every = "adaptive" remeshes)",
          .example = "0.2",

@@ -15,6 +15,7 @@ constexpr double small_move = 0.1;  // [h], at walls, and of the wall's normal
 // Between bodies [h]. Remeshing smooths the stress where bodies touch. With less, the motion after
 // one remeshing of bodies at rest would cause the next one.
 constexpr double small_relative_move = 0.3;
+constexpr double large_move_of_surface = 2;  // [h]
 
 // Whether a particle at x, which stood at `start`, has another distance from the wall or normal.
 template <int D>
@@ -48,7 +49,20 @@ struct Range {
       upper[a] = std::max(upper[a], x[a]);
     }
   }
+  bool is_wider_than(double width) const {
+    for (int a = 0; a < D; ++a) {
+      if (upper[a] - lower[a] > width) return true;
+    }
+    return false;
+  }
 };
+
+template <class T, int D>
+Point<D> displacement_of(const Body<T, D>& body, std::int32_t slot) {
+  Point<D> displacement;
+  for (int a = 0; a < D; ++a) displacement[a] = body.stage[0].get(Field::drift, a)[slot];
+  return displacement;
+}
 
 template <class T, int D>
 Range<D> surface_range(const Body<T, D>& body) {
@@ -62,13 +76,11 @@ template <class T, int D>
 void add_displacements(const Body<T, D>& body, const Range<D>& around, double margin,
                        Range<D>& displacements) {
   for_each_at_surface(body, [&](std::int32_t slot, const Point<D>& x) {
-    Point<D> displacement;
     for (int a = 0; a < D; ++a) {
-      displacement[a] = body.stage[0].get(Field::drift, a)[slot];
       if (body.lattice.period[a] != 0) continue;
       if (x[a] < around.lower[a] - margin || x[a] > around.upper[a] + margin) return;
     }
-    displacements.add(displacement);
+    displacements.add(displacement_of(body, slot));
   });
 }
 
@@ -99,10 +111,16 @@ bool have_moved_apart(const Body<T, D>& one, const Body<T, D>& other) {
   Range<D> displacements;
   add_displacements(one, surface_range(other), near * h, displacements);
   add_displacements(other, surface_range(one), near * h, displacements);
-  for (int a = 0; a < D; ++a) {
-    if (displacements.upper[a] - displacements.lower[a] > small_relative_move * h) return true;
+  return displacements.is_wider_than(small_relative_move * h);
+}
+
+template <class T, int D>
+bool surface_has_crossed_rows(const Body<T, D>& body) {
+  Range<D> displacements;
+  for (const std::int32_t slot : body.population.slot_of_record) {
+    displacements.add(displacement_of(body, slot));
   }
-  return false;
+  return displacements.is_wider_than(large_move_of_surface * body.lattice.spacing);
 }
 
 template bool has_moved_at_walls<double, 2>(const Body<double, 2>&, const Boundaries<2>&,
@@ -117,5 +135,9 @@ template bool have_moved_apart(const Body<double, 2>&, const Body<double, 2>&);
 template bool have_moved_apart(const Body<double, 3>&, const Body<double, 3>&);
 template bool have_moved_apart(const Body<float, 2>&, const Body<float, 2>&);
 template bool have_moved_apart(const Body<float, 3>&, const Body<float, 3>&);
+template bool surface_has_crossed_rows(const Body<double, 2>&);
+template bool surface_has_crossed_rows(const Body<double, 3>&);
+template bool surface_has_crossed_rows(const Body<float, 2>&);
+template bool surface_has_crossed_rows(const Body<float, 3>&);
 
 }  // namespace pliant::remeshed

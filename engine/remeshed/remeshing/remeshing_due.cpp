@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/remeshed/contact/relative_motion.hpp"
+#include "engine/remeshed/ghosts/lasting_correction.hpp"
 
 namespace pliant::remeshed {
 
@@ -12,6 +13,10 @@ namespace {
 // the last remeshing. But bodies that fly towards each other do not deform, and the edge of a
 // contact moves.
 constexpr std::int64_t most_steps_in_contact = 10;
+
+// Waves across a thin body grow where its surface crosses a row of nodes, unless this place moves
+// along the surface. More remeshings would cost energy.
+constexpr std::int64_t most_steps_of_swinging = 300;
 
 // Bodies without walls and loads fly apart again after a collision.
 template <class T, int D>
@@ -36,6 +41,15 @@ bool moves_in_contact(const Case& settings, const State<T, D>& state,
          });
 }
 
+// (RP.108). Other bodies do not gain from it: those whose shear stress does not relax gain more
+// energy with frequent remeshings.
+template <class T, int D>
+bool swings(const State<T, D>& state) {
+  return std::ranges::any_of(state.bodies, [](const Body<T, D>& body) {
+    return relaxes_shear(body) && surface_has_crossed_rows(body);
+  });
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -50,7 +64,8 @@ bool remeshing_is_due(const Case& settings, const State<T, D>& state,
       return clock.accumulated_strain > settings.remeshing.strain_threshold ||
              clock.deformation > settings.remeshing.deformation_threshold ||
              (clock.steps_since_remeshing >= most_steps_in_contact &&
-              moves_in_contact<T, D>(settings, state, wall_offset));
+              moves_in_contact<T, D>(settings, state, wall_offset)) ||
+             (clock.steps_since_remeshing >= most_steps_of_swinging && swings(state));
     case Policy::never:
       return false;
   }
