@@ -16,6 +16,7 @@ import numpy as np
 
 young, poisson, thickness, radius, depth = 10e3, 0.3, 0.01, 0.0333, 3.3e-4
 stiffness = young / (2 * (1 - poisson**2))
+order = 40  # of the rule in t
 
 
 def yielding(k):
@@ -27,14 +28,14 @@ def yielding(k):
 
 def pressed(contact_radius):
     """Depth [m], force [N] and its first moment about the axis y [N m], both on a quarter."""
-    nodes, weights = np.polynomial.legendre.leggauss(40)
+    nodes, weights = np.polynomial.legendre.leggauss(order)
     t, weights = (nodes + 1) * contact_radius / 2, weights * contact_radius / 2
     k, dk = np.linspace(0, 40 / thickness, 8001, retstep=True)
     rule = np.full(k.shape, dk)
     rule[0] = dk / 2
     waves = np.cos(np.outer(k, np.append(t, contact_radius)))
     kernel = 2 / math.pi * waves.T @ (waves * (rule * (1 - yielding(k)))[:, None])
-    inner, edge = np.eye(40) - kernel[:40, :40] * weights, kernel[40, :40] * weights
+    inner, edge = np.eye(order) - kernel[:order, :order] * weights, kernel[order, :order] * weights
 
     def solution(right):
         phi = np.linalg.solve(inner, right(t))

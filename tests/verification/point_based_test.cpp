@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "engine/case/vocabulary/measurement_kinds.hpp"
 #include "engine/point_based/solver.hpp"
 #include "tests/engine/finite_elements/meshed_block.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
@@ -22,9 +23,7 @@ std::map<std::string, double> measured_at_end(const std::string& name, const Set
   const std::vector<double> after = solver.measure();
   std::map<std::string, double> found;
   for (std::size_t m = 0; m < after.size(); ++m) {
-    const auto kind = a_case.measurements[m].kind;
-    const bool is_force =
-        kind == MeasurementCase::Kind::wall_force || kind == MeasurementCase::Kind::wall_moment;
+    const bool is_force = row_of(a_case.measurements[m].kind).sampling == Sampling::rate;
     found[a_case.measurements[m].name] = is_force ? (after[m] - before[m]) / sample : after[m];
   }
   return found;
