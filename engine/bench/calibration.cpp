@@ -3,6 +3,7 @@
 #include <pthread.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -68,6 +69,33 @@ double rate(int threads, const std::function<double(int)>& portion) {
   return sum;
 }
 
+// Two threads wait for each other in turns: one makes the count odd, the other even.
+double hand_over_between(int one, int other) {
+  constexpr int last = 10'000;
+  alignas(64) std::atomic<int> count = 0;
+  const auto take_turns = [&](int turn, int end) {
+    for (; turn < end; turn += 2) {
+      while (count.load(std::memory_order_acquire) != turn) continue;
+      count.store(turn + 1, std::memory_order_release);
+    }
+  };
+  std::thread answers([&] {
+    move_to(other);
+    take_turns(1, last);
+  });
+  double elapsed = 0;
+  std::thread asks([&] {
+    move_to(one);
+    take_turns(0, 4);  // until the other thread runs
+    const auto start = Clock::now();
+    take_turns(4, last);
+    elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+  });
+  asks.join();
+  answers.join();
+  return 2 * elapsed / last;
+}
+
 struct Loop {
   double (*run)(std::int64_t);
   int lanes;
@@ -94,6 +122,14 @@ double fma_peak(kernels::Isa isa, int threads) {
     [[maybe_unused]] volatile double kept = loop.run(rounds);
     return 2.0 * static_cast<double>(rounds) * fma_chains * loop.lanes;
   });
+}
+
+double hand_over(int threads) {
+  const std::vector<int> processors = own_processors();
+  const std::size_t used = std::min(processors.size(), static_cast<std::size_t>(threads));
+  double sum = 0;
+  for (std::size_t p = 1; p < used; ++p) sum += hand_over_between(processors[0], processors[p]);
+  return used > 1 ? sum / static_cast<double>(used - 1) : 0;
 }
 
 Triad::Triad() {

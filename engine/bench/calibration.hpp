@@ -11,6 +11,12 @@ namespace pliant::bench {
 /// ones and uses a multiplication and an addition.
 double fma_peak(kernels::Isa isa, int threads);
 
+/// Time in which a cache line goes from the processor of one thread to that of another and back
+/// [s], the mean over all other threads; 0 on one thread. Where a virtual machine's processors lie
+/// behind different caches it is several times as long, and whatever threads pass to each other
+/// takes so much longer.
+double hand_over(int threads);
+
 /// The triad a = b + 3 c, with arrays much larger than a second-level cache.
 class Triad {
  public:

@@ -22,9 +22,9 @@ double rate_of(const Row& row, const Sample& sample) {
 RecordedRow row_of(const Json& json) {
   RecordedRow row{json.at("name"), json.at("particles"), json.at("threads"), {}};
   for (const Json& sample : json.at("samples")) {
-    row.samples.push_back({sample.at("particle_stages_per_second"),
-                           sample.at("fma_peak_flop_per_second"),
-                           sample.at("triad_bytes_per_second")});
+    row.samples.push_back(
+        {sample.at("particle_stages_per_second"), sample.at("fma_peak_flop_per_second"),
+         sample.at("triad_bytes_per_second"), sample.value("hand_over_seconds", 0.0)});
   }
   return row;
 }
@@ -36,7 +36,8 @@ Record record_of(const std::vector<std::string>& machine, const std::vector<Row>
   for (const Row& row : rows) {
     RecordedRow recorded{row.name(), row.samples[0].particles, row.threads, {}};
     for (const Sample& sample : row.samples) {
-      recorded.samples.push_back({rate_of(row, sample), sample.fma_peak, sample.triad});
+      recorded.samples.push_back(
+          {rate_of(row, sample), sample.fma_peak, sample.triad, sample.hand_over});
     }
     record.rows.push_back(recorded);
   }
@@ -50,7 +51,8 @@ std::string json_of(const Record& record) {
     for (const RecordedSample& sample : row.samples) {
       samples.push_back({{"particle_stages_per_second", sample.rate},
                          {"fma_peak_flop_per_second", sample.fma_peak},
-                         {"triad_bytes_per_second", sample.triad}});
+                         {"triad_bytes_per_second", sample.triad},
+                         {"hand_over_seconds", sample.hand_over}});
     }
     rows.push_back({{"name", row.name},
                     {"particles", row.particles},

@@ -12,9 +12,10 @@ namespace pliant::bench {
 
 /// One measurement of a row and of the machine at that time.
 struct RecordedSample {
-  double rate = 0;      ///< [particle-stages/s]
-  double fma_peak = 0;  ///< [flop/s]
-  double triad = 0;     ///< [bytes/s]
+  double rate = 0;       ///< [particle-stages/s]
+  double fma_peak = 0;   ///< [flop/s]
+  double triad = 0;      ///< [bytes/s]
+  double hand_over = 0;  ///< [s]; 0 on one thread
 };
 
 struct RecordedRow {

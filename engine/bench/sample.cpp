@@ -38,6 +38,7 @@ std::vector<scheduler::StepTotals::Timer> difference(const scheduler::StepTotals
 void add_calibration(Sample& sample, int threads, kernels::Isa isa, Triad& triad) {
   sample.fma_peak += fma_peak(isa, threads) / 2;
   sample.triad += triad(threads) / 2;
+  sample.hand_over += hand_over(threads) / 2;
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct Sample {
   double phase_seconds = 0;          ///< inside phases, of all threads
   double fma_peak = 0;               ///< [flop/s], mean of before and after
   double triad = 0;                  ///< [bytes/s], likewise
+  double hand_over = 0;              ///< between two threads and back [s], likewise
   std::vector<scheduler::StepTotals::Timer> phases;
 
   double rate() const { return static_cast<double>(particle_stages) / elapsed.wall; }

@@ -106,6 +106,8 @@ constexpr const char* legend =
     "M/s: million particle-stages a second, everything included; median and range of the "
     "repetitions.\n"
     "speed, FMA's: rate over that on one thread, and what the FMA peak itself gained beside it.\n"
+    "hand: a cache line from one thread's processor to another's and back [ns]; several times "
+    "longer where processors of a virtual machine share no cache.\n"
     "% peak, % triad: of what the machine gave beside each repetition.  B/part: all fields.\n"
     "idle %: of the threads' time outside phases; extra: less that of the largest body.\n"
     "point_block: steps of nodes with 26 neighbours, by precision, with the peak of that "

@@ -12,11 +12,16 @@
 
 namespace pliant::undeformed {
 
-/// What may soon meet a wall.
-struct NearWall {
+/// All corners that are nearer to a wall than a distance.
+struct NearCorners {
   double unspent = 0;  ///< how far surfaces and wall may still approach until the next search [m]
-  double speed = 0;    ///< bound on the speed of the surfaces until then [m/s]
   std::vector<std::vector<std::int32_t>> corners;  ///< [surface] ascending
+};
+
+/// What may soon meet a wall, and what may meet it later.
+struct NearWall {
+  double speed = 0;  ///< bound on the speed of the surfaces until the next search [m/s]
+  NearCorners soon, later;
 };
 
 /// The common part of the states of all methods on the undeformed body, without the bodies.

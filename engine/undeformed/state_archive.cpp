@@ -33,31 +33,38 @@ void get_wrenches(const ArchiveReader& archive, const std::string& name,
   for (std::size_t w = 0; w < wrenches.size(); ++w) wrenches[w] = {forces[w], moments[w]};
 }
 
-std::string name_of_list(std::size_t wall, std::size_t surface) {
-  return fmt::format("walls/near/{}/{}", wall, surface);
+template <class NearWalls, class Act>
+void for_each_near_list(NearWalls& walls, const Act& act) {
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    for (std::size_t s = 0; s < walls[w].soon.corners.size(); ++s) {
+      act(fmt::format("walls/near/{}/{}", w, s), walls[w].soon.corners[s]);
+      act(fmt::format("walls/near_later/{}/{}", w, s), walls[w].later.corners[s]);
+    }
+  }
 }
 
 void put_near_walls(ArchiveWriter& archive, const std::vector<NearWall>& walls) {
   std::vector<double> numbers;
-  for (std::size_t w = 0; w < walls.size(); ++w) {
-    numbers.insert(numbers.end(), {walls[w].unspent, walls[w].speed});
-    for (std::size_t s = 0; s < walls[w].corners.size(); ++s) {
-      archive.put(name_of_list(w, s), std::span<const std::int32_t>(walls[w].corners[s]));
-    }
+  for (const NearWall& wall : walls) {
+    numbers.insert(numbers.end(), {wall.speed, wall.soon.unspent, wall.later.unspent});
   }
+  for_each_near_list(walls, [&](const std::string& name, const std::vector<std::int32_t>& list) {
+    archive.put(name, std::span<const std::int32_t>(list));
+  });
   archive.put("walls/near/numbers", std::span<const double>(numbers));
 }
 
 void get_near_walls(const ArchiveReader& archive, std::vector<NearWall>& walls) {
   const auto numbers = archive.get<double>("walls/near/numbers");
   for (std::size_t w = 0; w < walls.size(); ++w) {
-    walls[w].unspent = numbers.at(2 * w);
-    walls[w].speed = numbers.at(2 * w + 1);
-    for (std::size_t s = 0; s < walls[w].corners.size(); ++s) {
-      const auto corners = archive.get<std::int32_t>(name_of_list(w, s));
-      walls[w].corners[s].assign(corners.begin(), corners.end());
-    }
+    walls[w].speed = numbers.at(3 * w);
+    walls[w].soon.unspent = numbers.at(3 * w + 1);
+    walls[w].later.unspent = numbers.at(3 * w + 2);
   }
+  for_each_near_list(walls, [&](const std::string& name, std::vector<std::int32_t>& list) {
+    const auto corners = archive.get<std::int32_t>(name);
+    list.assign(corners.begin(), corners.end());
+  });
 }
 
 }  // namespace

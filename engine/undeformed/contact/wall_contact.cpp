@@ -49,8 +49,8 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
     wall.kick = kick;
     wall.length = length;
     wall.drift = drift;
-    search_.update(w, surfaces_, wall);
   }
+  search_.update(surfaces_, walls_);
   for (std::size_t s = 0; s < surfaces_.size(); ++s) push_out(s);
 }
 
@@ -59,14 +59,15 @@ void WallContact<T, D>::push_out(std::size_t s) {
   PushedSurface<T, D>& surface = surfaces_[s];
   const std::size_t outer = surface.outer_corners().size();
   std::size_t near = 0;
-  for (std::size_t w = 0; w < walls_.size(); ++w) near += state_.near_walls[w].corners[s].size();
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    near += state_.near_walls[w].soon.corners[s].size();
   given_.assign(near, {});
   double first = 0;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0;
     auto given = given_.begin();
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-      for (const std::int32_t corner : state_.near_walls[w].corners[s]) {
+      for (const std::int32_t corner : state_.near_walls[w].soon.corners[s]) {
         const double moved = push(surface, surface.corners[corner], walls_[w], *given++);
         change = std::max(change, moved);
         if (moved > 0 && static_cast<std::size_t>(corner) >= outer) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "engine/lattice/point_algebra.hpp"
@@ -17,11 +20,36 @@ Point<D> place_before(const MetWall<D>& wall, const Point<D>& x) {
   return difference<D>(x, wall.step.shift_at(x));
 }
 
+template <class T, int D>
+double largest_speed(const std::vector<PushedSurface<T, D>>& surfaces) {
+  double square = 0;
+  for (const PushedSurface<T, D>& surface : surfaces) {
+    for (const MovableCorner& corner : surface.outer_corners()) {
+      const Point<D> u = carried<T, D>(surface.body->velocity, std::span(&corner.first, 1));
+      square = std::max(square, dot<D>(u, u));
+    }
+  }
+  return std::sqrt(square);
+}
+
 /// How far the rotation of a wall moves its point at x in the step [m].
 template <int D>
 double shift_by_turn(const MetWall<D>& wall, const Point<D>& x) {
   const Point<D> by_turn = difference<D>(wall.step.shift_at(x), wall.step.shift);
   return std::sqrt(dot<D>(by_turn, by_turn));
+}
+
+/// The largest speed at which a wall that turns moves through the corners [m/s].
+template <class T, int D>
+double speed_by_turn(const std::vector<PushedSurface<T, D>>& surfaces, const MetWall<D>& wall) {
+  double shift = 0;
+  if (!wall.step.turns) return shift;
+  for (const PushedSurface<T, D>& surface : surfaces) {
+    for (const MovableCorner& corner : surface.outer_corners()) {
+      shift = std::max(shift, shift_by_turn<D>(wall, surface.place(corner.number)));
+    }
+  }
+  return shift / wall.length;
 }
 
 }  // namespace
@@ -64,14 +92,19 @@ Point<D> PushedSurface<T, D>::place(std::int32_t corner) const {
 
 template <class T, int D>
 void WallSearch<T, D>::begin(const Surfaces& surfaces, const std::vector<MetWall<D>>& walls) {
+  all_corners_.clear();
+  for (const PushedSurface<T, D>& surface : surfaces) {
+    auto& all = all_corners_.emplace_back(surface.corners.size());
+    std::iota(all.begin(), all.end(), 0);
+  }
   spared_.clear();
   state_.near_walls.clear();
   for (const MetWall<D>& wall : walls) {
     auto& spared = spared_.emplace_back();
+    for (const PushedSurface<T, D>& surface : surfaces) spared.push_back(spared_by(wall, surface));
     NearWall& near = state_.near_walls.emplace_back();
-    for (const PushedSurface<T, D>& surface : surfaces) {
-      spared.push_back(spared_by(wall, surface));
-      near.corners.emplace_back().reserve(surface.corners.size());
+    for (NearCorners* corners : {&near.soon, &near.later}) {
+      for (const auto& all : all_corners_) corners->corners.emplace_back().reserve(all.size());
     }
   }
 }
@@ -93,57 +126,65 @@ std::vector<bool> WallSearch<T, D>::spared_by(const MetWall<D>& met,
 }
 
 template <class T, int D>
-void WallSearch<T, D>::update(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall) {
-  NearWall& near = state_.near_walls[w];
-  near.unspent -= wall.length * near.speed + std::sqrt(dot<D>(wall.step.shift, wall.step.shift));
-  if (near.unspent <= 0) search(w, surfaces, wall);
+void WallSearch<T, D>::update(const Surfaces& surfaces, const std::vector<MetWall<D>>& walls) {
+  std::optional<double> speed;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const MetWall<D>& wall = walls[w];
+    NearWall& near = state_.near_walls[w];
+    const double approach =
+        wall.length * near.speed + std::sqrt(dot<D>(wall.step.shift, wall.step.shift));
+    near.soon.unspent -= approach;
+    near.later.unspent -= approach;
+    if (near.soon.unspent > 0) continue;
+    if (!speed) speed = largest_speed(surfaces);
+    search(w, surfaces, wall, *speed);
+  }
 }
 
 // A larger reach makes lists longer and searches rarer.
 template <class T, int D>
-void WallSearch<T, D>::search(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall) {
+void WallSearch<T, D>::search(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall,
+                              double speed) {
   constexpr double least_reach = 0.25;  // [spacings]
   constexpr double slow_steps = 32;     // until the next search if nothing moves
   constexpr double fast_steps = 8;      // at least
   constexpr double acceleration = 2;    // ratio of the bound on the speed to the present speed
+  constexpr double later = 8;           // ratio of the reaches of the two lists
+  constexpr double margin = 2;          // of the longer list, for corners that accelerate faster
   NearWall& near = state_.near_walls[w];
   const double least = least_reach * spacing_;
-  near.speed =
-      std::max(acceleration * largest_speed(surfaces, wall), least / (slow_steps * wall.length));
-  near.unspent = std::max(least, fast_steps * wall.length * near.speed);
-  for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    const PushedSurface<T, D>& surface = surfaces[s];
-    bool is_near = !near.corners[s].empty();
-    near.corners[s].clear();
-    const auto list = [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        if (!spared_[w][s][i] &&
-            may_touch(surface, surface.corners[i].number, wall, near.unspent)) {
-          near.corners[s].push_back(static_cast<std::int32_t>(i));
-        }
-      }
-    };
-    const std::size_t outer = surface.outer_corners().size();
-    list(0, outer);
-    is_near = is_near || !near.corners[s].empty();
-    if (is_near && !state_.boundaries.walls[wall.number].is_attached())
-      list(outer, surface.corners.size());
+  near.speed = std::max(acceleration * (speed + speed_by_turn(surfaces, wall)),
+                        least / (slow_steps * wall.length));
+  const double reach = std::max(least, fast_steps * wall.length * near.speed);
+  if (margin * reach > near.later.unspent) {
+    list(w, surfaces, wall, later * reach, all_corners_, near.later);
   }
+  list(w, surfaces, wall, reach, near.later.corners, near.soon);
 }
 
-// That of corners, plus that at which a wall that turns moves through them.
 template <class T, int D>
-double WallSearch<T, D>::largest_speed(const Surfaces& surfaces, const MetWall<D>& wall) const {
-  double square = 0, turned = 0;
-  for (const PushedSurface<T, D>& surface : surfaces) {
-    for (const MovableCorner& corner : surface.outer_corners()) {
-      const Point<D> u = carried<T, D>(surface.body->velocity, std::span(&corner.first, 1));
-      square = std::max(square, dot<D>(u, u));
-      if (!wall.step.turns) continue;
-      turned = std::max(turned, shift_by_turn<D>(wall, surface.place(corner.number)));
+void WallSearch<T, D>::list(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall,
+                            double reach, const std::vector<std::vector<std::int32_t>>& among,
+                            NearCorners& near) const {
+  near.unspent = reach;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const PushedSurface<T, D>& surface = surfaces[s];
+    std::vector<std::int32_t>& listed = near.corners[s];
+    bool is_near = !listed.empty();
+    listed.clear();
+    const auto add_near_ones = [&](auto first, auto last) {
+      std::copy_if(first, last, std::back_inserter(listed), [&](std::int32_t i) {
+        return !spared_[w][s][i] && may_touch(surface, surface.corners[i].number, wall, reach);
+      });
+    };
+    const auto inner = std::lower_bound(among[s].begin(), among[s].end(),
+                                        static_cast<int>(surface.outer_corners().size()));
+    add_near_ones(among[s].begin(), inner);
+    is_near = is_near || !listed.empty();
+    if (is_near && !state_.boundaries.walls[wall.number].is_attached()) {
+      add_near_ones(inner, among[s].end());
     }
   }
-  return std::sqrt(square) + turned / wall.length;
 }
 
 // The distance from a tool of several shapes costs as much as all forces on a node.

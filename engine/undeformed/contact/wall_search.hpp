@@ -58,8 +58,9 @@ struct MetWall {
 
 /// Finds the corners that are near walls. Most are far from all of them. A search lists those that
 /// are nearer to a wall than a reach; the list lasts until surface and wall may have approached
-/// each other by that. A corner that accelerates faster than expected is found, and pushed back, by
-/// the next search. The state keeps the lists, so that a resumed run has the same.
+/// each other by that. Most searches look through the list of a rare one with a larger reach. A
+/// corner that accelerates faster than expected is found, and pushed back, by the next search. The
+/// state keeps the lists, so that a resumed run has the same.
 template <class T, int D>
 class WallSearch {
  public:
@@ -69,8 +70,8 @@ class WallSearch {
 
   /// Forgets all lists; these are the surfaces and walls of later calls.
   void begin(const Surfaces& surfaces, const std::vector<MetWall<D>>& walls);
-  /// Makes the list of wall `w` again if it is due. It is `state.near_walls[w]`.
-  void update(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall);
+  /// Makes the lists again that are due: `state.near_walls[w].soon` of each wall.
+  void update(const Surfaces& surfaces, const std::vector<MetWall<D>>& walls);
 
   /// Whether x, at the start of the step, may be nearer than `reach` to a wall.
   bool may_reach(const MetWall<D>& wall, const Point<D>& x, double reach) const;
@@ -79,12 +80,16 @@ class WallSearch {
                  double reach) const;
 
  private:
-  void search(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall);
-  double largest_speed(const Surfaces& surfaces, const MetWall<D>& wall) const;
+  /// `speed` is the largest of the surfaces [m/s].
+  void search(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall, double speed);
+  /// Lists those of the corners `among` [surface] that are nearer to a wall than `reach`.
+  void list(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall, double reach,
+            const std::vector<std::vector<std::int32_t>>& among, NearCorners& near) const;
   std::vector<bool> spared_by(const MetWall<D>& wall, const PushedSurface<T, D>& surface) const;
 
   State<D>& state_;
-  double spacing_;  ///< [m]
+  double spacing_;                                      ///< [m]
+  std::vector<std::vector<std::int32_t>> all_corners_;  ///< [surface]
   /// [wall][surface][corner] what an attached wall never pushes: corners next to it at the start.
   std::vector<std::vector<std::vector<bool>>> spared_;
 };

@@ -13,7 +13,7 @@ namespace {
 Record record(double rate, double fma_peak, double triad) {
   RecordedRow row{"disc/compact/0.1/1", 314, 1, {}};
   for (const double noise : {0.97, 1.0, 1.02}) {
-    row.samples.push_back({noise * rate, fma_peak, triad});
+    row.samples.push_back({noise * rate, fma_peak, triad, 1e-7 / 3});
   }
   return {{"a machine"}, {row}};
 }
@@ -53,6 +53,7 @@ TEST(comparison, a_record_survives_its_file) {
   EXPECT_EQ(written.rows[0].name, read.rows[0].name);
   EXPECT_EQ(written.rows[0].samples[2].rate, read.rows[0].samples[2].rate);
   EXPECT_EQ(written.rows[0].samples[2].triad, read.rows[0].samples[2].triad);
+  EXPECT_EQ(written.rows[0].samples[2].hand_over, read.rows[0].samples[2].hand_over);
   for (const char* text : {"", "{}", "[1]", R"({"format": "pliant bench 0"})"}) {
     EXPECT_THROW(parse_record(text, "x"), InputError) << text;
   }
