@@ -54,8 +54,6 @@ double Step<T, D>::drift_length() const {
 template <class T, int D>
 void Step<T, D>::prepare_blocks() {
   results_.assign(state_.blocks.size(), {});
-  inertia_.assign(state_.blocks.size(), 0);
-  damped_.assign(state_.blocks.size(), 0);
   force_changes_.prepare_blocks(state_.blocks.size());
   loads_.prepare_blocks();
   work_.clear_blocks();
@@ -180,12 +178,13 @@ StepResult Step<T, D>::fold() {
   StepResult result;
   double inertia = 0, damped = 0;
   for (std::size_t b = 0; b < results_.size() && result.non_finite < 0; ++b) {
-    result.non_finite = results_[b].non_finite;
+    result.non_finite = results_[b].forces.non_finite;
     result.failed_block = static_cast<int>(b);
-    result.frequency2 = std::max(result.frequency2, results_[b].frequency2);
+    result.frequency2 = std::max(result.frequency2, results_[b].forces.frequency2);
+    inertia += results_[b].motion.inertia;
+    // Nodes whose velocities change sign from step to step lose little, (TL.28).
+    damped += results_[b].motion.inertia_of_means;
   }
-  for (const double of_block : inertia_) inertia += of_block;
-  for (const double of_block : damped_) damped += of_block;
   result.rayleigh = undeformed::rayleigh_quotient(force_changes_.power(), inertia);
   for (const auto& of_body : state_.cuts) {
     if (of_body) state_.energy.cut_work += of_body->fold();
@@ -223,7 +222,7 @@ void Step<T, D>::evaluate_forces(int block) {
   arguments.examine = advance_.examine || cuts_have_moved_;
   const auto& cuts = state_.cuts[state_.blocks[block].body];
   if (cuts && !cuts->keeps_gradients(local)) arguments.kept = {};
-  results_[block] = kernels_.evaluate_forces(arguments);
+  results_[block].forces = kernels_.evaluate_forces(arguments);
   if (!body.degenerate[local].empty()) add_degenerate_forces(body, local);
 }
 
@@ -241,11 +240,8 @@ void Step<T, D>::move(int block) {
   if (damping > 0 || body.is_followed()) arguments.mass = body.mass.get();
   work_.begin_motion(block, body, local, power(block));
   if (body.is_followed()) force_changes_.begin(block, body, local);
-  const kernels::PointMotionSums sums = kernels_.advance(arguments);
+  results_[block].motion = kernels_.advance(arguments);
   if (body.is_followed()) force_changes_.end(block, body, local);
-  inertia_[block] = sums.inertia;
-  // Nodes whose velocities change sign from step to step lose little, (TL.28).
-  damped_[block] = sums.inertia_of_means;
   work_.hold(block, body, local);
   if (!bodies_touch()) end_motion(block);
 }

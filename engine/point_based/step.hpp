@@ -77,6 +77,12 @@ class Step {
   /// How long nodes move at the velocities after a kick [s].
   double drift_length() const;
 
+  /// Two threads that write to one cache line wait for each other.
+  struct alignas(64) BlockResult {
+    kernels::PointForcesResult forces;
+    kernels::PointMotionSums motion;  ///< with damping, or in a followed body
+  };
+
   State<T, D>& state_;
   const Case& settings_;
   const kernels::PointBasedTable<T, D>& kernels_;
@@ -86,9 +92,7 @@ class Step {
   undeformed::BoundaryWork<T, D> work_;
   undeformed::WallContact<T, D> contact_;
   undeformed::BodyContact<T, D> body_contact_;
-  std::vector<kernels::PointForcesResult> results_;  ///< [block]
-  std::vector<double> inertia_;  ///< [block] sum of m u^2 before the step, with damping [J]
-  std::vector<double> damped_;   ///< [block] the part of it that damping acts on [J]
+  std::vector<BlockResult> results_;  ///< [block]
   ForceChanges<T, D> force_changes_;
 };
 

@@ -49,24 +49,22 @@ void BoundaryWork<T, D>::prepare(const Times& times) {
   }
   state_.power = {};
   std::fill(state_.wall_force.begin(), state_.wall_force.end(), Wrench<D>{});
-  for (BlockWork& work : work_) {
-    work.energy = work.power = {};
-    work.undamped = 0;
-    std::fill(work.impulse.begin(), work.impulse.end(), Wrench<D>{});
-  }
 }
 
 template <class T, int D>
 void BoundaryWork<T, D>::begin_motion(int block, const Body<T, D>& body, int local,
                                       const EnergyBudget& power) {
-  add(work_[block].energy, power, times_.kick / 2);
+  BlockWork& work = work_[block];
+  work.energy = work.power = {};
+  work.undamped = 0;
+  std::fill(work.impulse.begin(), work.impulse.end(), Wrench<D>{});
+  add(work.energy, power, times_.kick / 2);
   const auto& held = body.held[local];
   for (std::size_t i = 0; i < held.size(); ++i) {
     for (int a = 0; a < D; ++a) {
       const double u = body.velocity[a][held[i].slot];
-      work_[block].before[i][a] = u;
-      work_[block].start[i][a] =
-          body.displacement[a][held[i].slot] - (times_.length - times_.drift) * u;
+      work.before[i][a] = u;
+      work.start[i][a] = body.displacement[a][held[i].slot] - (times_.length - times_.drift) * u;
     }
   }
 }

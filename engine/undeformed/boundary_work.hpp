@@ -30,7 +30,7 @@ class BoundaryWork {
   /// state.
   void prepare(const Times& times);
 
-  /// Called before the particles of a block move; `power` is that of loads and gravity [W].
+  /// Called first, before the particles of a block move; `power` is that of loads and gravity [W].
   void begin_motion(int block, const Body<T, D>& body, int local, const EnergyBudget& power);
   /// Called after that: moves constrained particles with their walls. Where two walls meet, the
   /// last one decides. The change of momentum is the impulse of the wall, (TL.8), (PB.10).
@@ -47,7 +47,8 @@ class BoundaryWork {
   void fold(double inertia, std::optional<double> damped);
 
  private:
-  struct BlockWork {
+  /// Two threads that write to one cache line wait for each other.
+  struct alignas(64) BlockWork {
     EnergyBudget energy;             ///< of the step [J]
     EnergyBudget power;              ///< at the velocities after the step [W]
     double undamped = 0;             ///< part of m ((u + u')/2)^2 that hold() removes [J]
