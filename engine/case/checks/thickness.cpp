@@ -151,4 +151,24 @@ void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> 
   warn_of(a_case, errors, opening, "the surface that walls leave free on body", warnings);
 }
 
+void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::string>& warnings) {
+  constexpr double unmentioned = 0.02;
+  const double h = a_case.discretisation.spacing;
+  for (const BodyCase& body : a_case.bodies) {
+    const Box<3> box = bounding_box(body.geometry);
+    double length = 0;
+    for (int a = 0; a < a_case.dimension; ++a) {
+      length = std::max(length, box.upper[a] - box.lower[a]);
+    }
+    const double thick = thickness(a_case, body);
+    const double deviation = factor * std::pow(length * h / (thick * thick), 2);
+    if (!std::isfinite(length) || deviation < unmentioned) continue;
+    warnings.push_back(fmt::format(
+        "body `{}` is {:.2g} times as long as thick: loads bend it up to {:.0f} % too little, more "
+        "where they also compress it; use a finer spacing (discretisation.spacing = {:.3g} or "
+        "below) or method = \"total_lagrangian\"",
+        body.name, length / thick, 100 * deviation, h * std::sqrt(unmentioned / deviation)));
+  }
+}
+
 }  // namespace pliant

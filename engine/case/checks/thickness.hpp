@@ -35,4 +35,8 @@ void warn_of_thin_bodies(const Case& a_case, std::span<const ThinBodyError> erro
 void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> errors,
                              std::vector<std::string>& warnings);
 
+/// Adds a warning for each body whose bending under loads deviates by more than 2 %: by `factor`
+/// (L h/t^2)^2 if its length is L and its thickness t.
+void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::string>& warnings);
+
 }  // namespace pliant

@@ -29,6 +29,15 @@ double rim_reach(const Body<T, D>& body, const Boundaries<D>& boundaries) {
   return removes_lasting_correction(body, boundaries) ? 2.4 : 1;
 }
 
+// The share of the fit (RP.44) with its last term. That term also extrapolates the stresses that
+// alternate from row to row beneath the surface of a body at rest. What a ghost then has in excess
+// of minus the stress of the row beneath the surface is a force: it holds slender beams straight,
+// docs/decisions/0068.
+template <class T, int D>
+double share_of_curved_fit(const Body<T, D>& body) {
+  return body.bears_loads ? 0.7 : 1;
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -60,7 +69,8 @@ void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const 
   ghost.wall = wall;
   // The curved fit overshoots where the solution is singular: at walls that hold the body, and
   // where they meet the free surface. A slip wall is a plane of symmetry without a corner.
-  ghost.curved = wall == nullptr && corner_distance > fit_radius;
+  const bool is_curved = wall == nullptr && corner_distance > fit_radius;
+  ghost.curved = is_curved ? share_of_curved_fit(body_) : 0;
   ghost.at_rim = wall == nullptr && corner_distance < rim_reach_;
   for (int a = 0; a < D; ++a) {
     ghost.centre[a] = (foot[a] - body_.lattice.origin[a]) / h - 0.5;
@@ -124,7 +134,7 @@ void GhostFitter<T, D>::fill_lane(int lane, int length) {
     lanes.normal[a][lane] = ghost.site.normal[a];
   }
   lanes.ghost_distance[lane] = ghost.site.surface_distance;
-  lanes.curved[lane] = ghost.curved ? 1 : 0;
+  lanes.curved[lane] = static_cast<T>(ghost.curved);
 }
 
 template <class T, int D>

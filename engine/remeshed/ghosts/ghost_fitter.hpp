@@ -37,7 +37,7 @@ class GhostFitter {
     Point<D> centre;  ///< foot point in cells
     FitReach<D> reach;
     const Wall<D>* wall;
-    bool curved;        ///< whether the fit (RP.44) has its last term
+    double curved;      ///< share of the fit (RP.44) with its last term
     bool at_rim;        ///< whether the free surface meets a no-slip wall near here
     bool near_contact;  ///< whether a contact wall is near
     FitParticles<D> particles;

@@ -125,10 +125,18 @@ bool fit_along_normal(const FitParticles<D>& particles, const FitSite<D>& site,
 }
 
 template <class T, int D>
-bool fit_constrained(const FitParticles<D>& particles, const FitSite<D>& site, bool curved,
+bool fit_constrained(const FitParticles<D>& particles, const FitSite<D>& site, double curved,
                      kernels::FitTerms<T, D>& terms) {
-  return (curved && fit_constrained_in<D + 1>(particles, site, terms)) ||
-         fit_constrained_in<D>(particles, site, terms);
+  const bool is_curved = curved > 0 && fit_constrained_in<D + 1>(particles, site, terms);
+  if (is_curved && curved == 1) return true;
+  const std::array<T, D + 2> with = terms.constrained;
+  const bool is_plain = fit_constrained_in<D>(particles, site, terms);
+  if (!is_curved) return is_plain;
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    T& mean = terms.constrained[i];
+    mean = is_plain ? mean + static_cast<T>(curved) * (with[i] - mean) : with[i];
+  }
+  return true;
 }
 
 template <class T, int D>
@@ -147,7 +155,7 @@ template bool fit_in_all_directions<double, 2>(const FitParticles<2>&, const Fit
                                                kernels::FitTerms<double, 2>&);
 template bool fit_along_normal<double, 2>(const FitParticles<2>&, const FitSite<2>&,
                                           kernels::FitTerms<double, 2>&);
-template bool fit_constrained<double, 2>(const FitParticles<2>&, const FitSite<2>&, bool,
+template bool fit_constrained<double, 2>(const FitParticles<2>&, const FitSite<2>&, double,
                                          kernels::FitTerms<double, 2>&);
 template bool fit_proportional<double, 2>(const FitParticles<2>&, const FitSite<2>&,
                                           kernels::FitTerms<double, 2>&);
@@ -155,7 +163,7 @@ template bool fit_in_all_directions<double, 3>(const FitParticles<3>&, const Fit
                                                kernels::FitTerms<double, 3>&);
 template bool fit_along_normal<double, 3>(const FitParticles<3>&, const FitSite<3>&,
                                           kernels::FitTerms<double, 3>&);
-template bool fit_constrained<double, 3>(const FitParticles<3>&, const FitSite<3>&, bool,
+template bool fit_constrained<double, 3>(const FitParticles<3>&, const FitSite<3>&, double,
                                          kernels::FitTerms<double, 3>&);
 template bool fit_proportional<double, 3>(const FitParticles<3>&, const FitSite<3>&,
                                           kernels::FitTerms<double, 3>&);
@@ -163,7 +171,7 @@ template bool fit_in_all_directions<float, 2>(const FitParticles<2>&, const FitS
                                               kernels::FitTerms<float, 2>&);
 template bool fit_along_normal<float, 2>(const FitParticles<2>&, const FitSite<2>&,
                                          kernels::FitTerms<float, 2>&);
-template bool fit_constrained<float, 2>(const FitParticles<2>&, const FitSite<2>&, bool,
+template bool fit_constrained<float, 2>(const FitParticles<2>&, const FitSite<2>&, double,
                                         kernels::FitTerms<float, 2>&);
 template bool fit_proportional<float, 2>(const FitParticles<2>&, const FitSite<2>&,
                                          kernels::FitTerms<float, 2>&);
@@ -171,7 +179,7 @@ template bool fit_in_all_directions<float, 3>(const FitParticles<3>&, const FitS
                                               kernels::FitTerms<float, 3>&);
 template bool fit_along_normal<float, 3>(const FitParticles<3>&, const FitSite<3>&,
                                          kernels::FitTerms<float, 3>&);
-template bool fit_constrained<float, 3>(const FitParticles<3>&, const FitSite<3>&, bool,
+template bool fit_constrained<float, 3>(const FitParticles<3>&, const FitSite<3>&, double,
                                         kernels::FitTerms<float, 3>&);
 template bool fit_proportional<float, 3>(const FitParticles<3>&, const FitSite<3>&,
                                          kernels::FitTerms<float, 3>&);

@@ -56,10 +56,10 @@ template <class T, int D>
 bool fit_along_normal(const FitParticles<D>& particles, const FitSite<D>& site,
                       kernels::FitTerms<T, D>& terms);
 
-/// (RP.44) at the ghost, `constrained` of the terms. The last term, the squared distance, is used
-/// only if `curved`.
+/// (RP.44) at the ghost, `constrained` of the terms: the mean of the fits with the last term, the
+/// squared distance, whose share is `curved`, and without it.
 template <class T, int D>
-bool fit_constrained(const FitParticles<D>& particles, const FitSite<D>& site, bool curved,
+bool fit_constrained(const FitParticles<D>& particles, const FitSite<D>& site, double curved,
                      kernels::FitTerms<T, D>& terms);
 
 /// The last fallback: proportional to the distance.

@@ -103,7 +103,7 @@ struct SurfaceFits {
   std::array<const T*, D> ghost;     ///< [lane] relative to the foot point
   std::array<const T*, D> normal;    ///< [lane] unit vector, out of the body
   const T* ghost_distance;           ///< [lane] from the surface
-  const T* curved;                   ///< [lane] 1: with the term phi^2 of (RP.44); 0: without
+  const T* curved;                   ///< [lane] share of the fit (RP.44) with the term phi^2
   T* fitted;           ///< [lane] 1, or 0 where the particles do not determine the fits
   T* constrained_sum;  ///< [lane] sum of the coefficients b
   std::array<T*, D + 1> linear, surface;  ///< [lane] see FitTerms

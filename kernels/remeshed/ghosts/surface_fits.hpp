@@ -116,7 +116,8 @@ class FitLanes {
     }
   }
 
-  /// With the term phi^2 if it is requested and determined, else without.
+  /// The requested mean of the fits with and without the term phi^2; without, if it is not
+  /// determined.
   Mask solve_constrained(const P& least) {
     SymmetricSystem<P, D, 1> plain;
 #pragma GCC unroll 3
@@ -127,13 +128,18 @@ class FitLanes {
     }
 #pragma GCC unroll 4
     for (int i = 0; i < terms; ++i) curved_.right[0][i] = value_at_ghost_[i];
-    const Mask is_curved = curved_.solve(least) && load<P>(work_.curved + lane_) > P(T(0.5));
+    const P share = load<P>(work_.curved + lane_);
+    const Mask is_curved = curved_.solve(least) && share > P(T(0));
     const Mask is_plain = plain.solve(least);
+    const Mask is_mean = is_curved && is_plain && share < P(T(1));
 #pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
-      constrained_[i] = xsimd::select(is_curved, curved_.right[0][i], plain.right[0][i]);
+      const P with = curved_.right[0][i], without = plain.right[0][i];
+      constrained_[i] = xsimd::select(is_mean, fused(share, with - without, without),
+                                      xsimd::select(is_curved, with, without));
     }
-    constrained_[D] = xsimd::select(is_curved, curved_.right[0][D], P(T(0)));
+    const P last = curved_.right[0][D];
+    constrained_[D] = xsimd::select(is_mean, share * last, xsimd::select(is_curved, last, P(T(0))));
     return is_curved || is_plain;
   }
 

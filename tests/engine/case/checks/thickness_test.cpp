@@ -91,5 +91,18 @@ TEST(thickness, only_bodies_below_the_number_are_warned_of_by_their_worst) {
   EXPECT_EQ(warnings.size(), 1) << "neither of a thicker nor of an equally thick body";
 }
 
+TEST(thickness, slender_bodies_are_warned_of_by_their_deviation) {
+  const Case a_case = tests::read_text(tests::block_case);  // L h/t^2 = 0.2
+  std::vector<std::string> warnings;
+  warn_of_slender_bodies(a_case, 0.49, warnings);
+  EXPECT_TRUE(warnings.empty()) << "0.0196";
+  warn_of_slender_bodies(a_case, 2, warnings);
+  ASSERT_EQ(warnings.size(), 1);
+  EXPECT_EQ(warnings[0],
+            "body `block` is 2 times as long as thick: loads bend it up to 8 % too little, more "
+            "where they also compress it; use a finer spacing (discretisation.spacing = 0.05 or "
+            "below) or method = \"total_lagrangian\"");
+}
+
 }  // namespace
 }  // namespace pliant

@@ -61,6 +61,26 @@ TYPED_TEST(surface_fits, what_vanishes_on_the_surface_is_exact_to_the_order_that
   }
 }
 
+TYPED_TEST(surface_fits, a_share_of_the_last_term_is_a_mean_of_the_fits_with_and_without_it) {
+  using T = typename TypeParam::Scalar;
+  constexpr int D = TypeParam::dimension;
+  const auto cube = [](const std::array<double, D>&, double d) { return d * d * d; };
+  std::array<std::vector<double>, 3> found;
+  for (const int share : {0, 1, 2}) {
+    HalfSpaceOfParticles<T, D> space;
+    for (T& curved : space.curved) curved = T(share) / 2;
+    baseline_table<T, D>().fit_surface(space.arguments());
+    for (int l = 0; l < space.pack; ++l) {
+      ASSERT_EQ(space.fitted[l], 1);
+      found[share].push_back(sum(space, &Fit::constrained, l, cube));
+    }
+  }
+  for (std::size_t l = 0; l < found[0].size(); ++l) {
+    EXPECT_NEAR(found[1][l], (found[0][l] + found[2][l]) / 2, 10 * exact<T>);
+    EXPECT_GT(std::abs(found[0][l] - found[2][l]), 0.1);
+  }
+}
+
 TYPED_TEST(surface_fits, particles_out_of_reach_count_nothing_and_too_few_are_told) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
