@@ -73,9 +73,7 @@ std::string speed_table(const std::vector<Row>& rows) {
     const Spread rate = row.spread([](const Sample& s) { return s.rate() * 1e-6; });
     table += fmt::format(
         "{} {:>7.2f} {:>13} {:>6.2f} {:>5.2f} {:>5.0f} {:>8.1f} {:>6.1f} {:>6.2f} {:>7.1f} "
-        "{:>6.0f} "
-        "{:>6.1f} "
-        "{:>6.1f} {:>5.0f}\n",
+        "{:>6.0f} {:>6.1f} {:>6.1f} {:>5.0f}\n",
         heading_of(row), rate.median, fmt::format("{:.2f}..{:.2f}", rate.least, rate.most),
         speed_up(rows, row, [](const Sample& s) { return s.rate(); }),
         speed_up(rows, row, [](const Sample& s) { return s.fma_peak; }),
@@ -121,18 +119,17 @@ std::string csv(const std::vector<std::string>& machine, const std::vector<Row>&
   }
   text +=
       "case,particles,kernel,threads,samples,steps,steps per remeshing,"
-      "particle-stages/s,least,most,speed-up,FMA speed-up,hand-over s,flop per particle-stage,FMA "
-      "peak flop/s,"
-      "share of FMA peak,bytes per particle-stage,triad bytes/s,share of triad,bytes per particle,"
+      "particle-stages/s,least,most,speed-up,FMA speed-up,hand-over s,flop per particle-stage,"
+      "FMA peak flop/s,share of FMA peak,bytes per particle-stage,triad bytes/s,"
+      "share of triad,bytes per particle,"
       "idle share,extra idle share,processor share,idle ns per particle-stage";
   for (const std::string& phase : phases) text += ",\"" + phase + " ns per particle-stage\"";
   text += "\n";
   for (const Row& row : rows) {
     const Spread rate = row.spread([](const Sample& s) { return s.rate(); });
     text += fmt::format(
-        "{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{},{:.4g},{:.4g},{},{:."
-        "4g},"
-        "{:.4g},{:.0f},{:.4f},{:.4f},{:.4f},{:.4g}",
+        "{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{},{:.4g},{:.4g},{},"
+        "{:.4g},{:.4g},{:.0f},{:.4f},{:.4f},{:.4f},{:.4g}",
         row.settings.name, row.samples[0].particles, row.kernel(), row.threads, row.samples.size(),
         row.samples[0].steps, row.median(steps_per_remeshing), rate.median, rate.least, rate.most,
         speed_up(rows, row, [](const Sample& s) { return s.rate(); }),
