@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/remeshed/contact/contact_edges.hpp"
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/ghost_fitter.hpp"
@@ -52,7 +53,8 @@ class GhostFinder {
         treatment_(search.treatment),
         stencil_reach_(search.stencil_reach),
         edges_(body_, population_, level_set_, boundaries_),
-        fitter_(body_, population_, ghosts_, level_set_, boundaries_, search.kernels, used) {}
+        fitter_(body_, population_, ghosts_, level_set_, boundaries_, search.corners,
+                search.kernels, used) {}
 
   void add_all(const Block<D>& block) {
     drifting_.clear();
@@ -166,7 +168,8 @@ class GhostFinder {
       for (int a = 0; a < D; ++a) foot[a] -= depth * out[a];
     }
     FitSite<D> site = site_of(x, foot, level_set_.surface_distance(slot));
-    site.normal = site.ghost.norm() > 1e-9 ? site.ghost.normalized() : site.ghost;
+    const Point<D> outward = level_set_.outward(cell, difference<D>(foot, x));
+    for (int a = 0; a < D; ++a) site.normal[a] = outward[a];
     list(slot, -1, {}, foot);
     if (edge_ == no_edge) ghosts_.edge.back() = edges_.beside(x, foot, ghosts_.normal.back());
     fit(site, cell, foot, nullptr);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/case/case.hpp"
+#include "engine/remeshed/ghosts/reentrant_corners.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
 #include "engine/remeshed/state/body.hpp"
 
@@ -13,6 +14,7 @@ struct GhostSearch {
   Population<T, D>& population;
   const LevelSet<T, D>& level_set;
   const Boundaries<D>& boundaries;
+  const ReentrantCorners<D>& corners;
   GhostTreatment treatment;
   int stencil_reach;
   const kernels::RemeshedTable<T, D>& kernels;

@@ -21,9 +21,10 @@ constexpr int most_widenings = 5;
 // for a jump at the surface, which (RP.50) and (RP.51) damp.
 constexpr double narrowing = 1.5;
 
-// Within this distance from a no-slip wall [h], (RP.50) does nothing. Along walls that cut the
-// lattice at an angle, particles beside the corner are unstable with less than 2.4. Bodies that
-// take 0.42 of (RP.50), (RP.83), are not stable there with either, and lose more energy with 2.4.
+// Within this distance from a no-slip wall or a re-entrant corner [h], (RP.50) does nothing. Along
+// walls that cut the lattice at an angle, particles beside the corner are unstable with less
+// than 2.4. Bodies that take 0.42 of (RP.50), (RP.83), are not stable there with either, and lose
+// more energy with 2.4.
 template <class T, int D>
 double rim_reach(const Body<T, D>& body, const Boundaries<D>& boundaries) {
   return removes_lasting_correction(body, boundaries) ? 2.4 : 1;
@@ -43,12 +44,13 @@ double share_of_curved_fit(const Body<T, D>& body) {
 template <class T, int D>
 GhostFitter<T, D>::GhostFitter(const Body<T, D>& body, const Population<T, D>& population,
                                BlockGhosts<T, D>& ghosts, const LevelSet<T, D>& level_set,
-                               const Boundaries<D>& boundaries,
+                               const Boundaries<D>& boundaries, const ReentrantCorners<D>& corners,
                                const kernels::RemeshedTable<T, D>& table, std::int32_t* used)
     : body_(body),
       ghosts_(ghosts),
       search_(body.lattice, population, level_set),
       boundaries_(boundaries),
+      corners_(corners),
       rim_reach_(rim_reach(body, boundaries)),
       kernels_(table),
       used_(used) {}
@@ -63,15 +65,19 @@ template <class T, int D>
 void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall,
                             bool at_edge) {
   const double h = body_.lattice.spacing;
-  const double corner_distance = boundaries_.distance_to_no_slip(foot) / h;
+  const double wall_distance = boundaries_.distance_to_no_slip(foot) / h;
+  const double corner_distance = corners_.distance(foot) / h;
   Waiting& ghost = scratch_.waiting[waiting_++];
   ghost.site = site;
   ghost.wall = wall;
-  // The curved fit overshoots where the solution is singular: at walls that hold the body, and
-  // where they meet the free surface. A slip wall is a plane of symmetry without a corner.
-  const bool is_curved = wall == nullptr && corner_distance > fit_radius;
+  // The curved fit overshoots where the solution is singular: at walls that hold the body, where
+  // they meet the free surface, and at re-entrant corners. A slip wall is a plane of symmetry
+  // without a corner.
+  const bool is_curved =
+      wall == nullptr && wall_distance > fit_radius && corner_distance > corner_reach;
   ghost.curved = is_curved ? share_of_curved_fit(body_) : 0;
-  ghost.at_rim = wall == nullptr && corner_distance < rim_reach_;
+  ghost.at_rim =
+      wall == nullptr && (wall_distance < rim_reach_ || corner_distance < corner_reach);
   for (int a = 0; a < D; ++a) {
     ghost.centre[a] = (foot[a] - body_.lattice.origin[a]) / h - 0.5;
   }

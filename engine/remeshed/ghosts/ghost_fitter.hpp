@@ -17,7 +17,8 @@ class GhostFitter {
  public:
   GhostFitter(const Body<T, D>& body, const Population<T, D>& population, BlockGhosts<T, D>& ghosts,
               const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
-              const kernels::RemeshedTable<T, D>& kernels, std::int32_t* used);
+              const ReentrantCorners<D>& corners, const kernels::RemeshedTable<T, D>& kernels,
+              std::int32_t* used);
 
   /// (RP.43) and (RP.44) around a foot point; `wall` is nullptr at a free surface. `at_edge` is set
   /// where a side of the body meets a contact wall, (RP.81).
@@ -38,7 +39,7 @@ class GhostFitter {
     FitReach<D> reach;
     const Wall<D>* wall;
     double curved;      ///< share of the fit (RP.44) with its last term
-    bool at_rim;        ///< whether the free surface meets a no-slip wall near here
+    bool at_rim;        ///< whether a no-slip wall or a re-entrant corner is near
     bool near_contact;  ///< whether a contact wall is near
     FitParticles<D> particles;
   };
@@ -72,6 +73,7 @@ class GhostFitter {
   BlockGhosts<T, D>& ghosts_;
   FitSearch<T, D> search_;
   const Boundaries<D>& boundaries_;
+  const ReentrantCorners<D>& corners_;
   double rim_reach_;  ///< [h]
   const kernels::RemeshedTable<T, D>& kernels_;
   std::int32_t* used_;

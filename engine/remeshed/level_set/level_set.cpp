@@ -289,6 +289,19 @@ bool LevelSet<T, D>::closest_point(std::int64_t slot, Point<D>& offset) const {
   return true;
 }
 
+template <class T, int D>
+Point<D> LevelSet<T, D>::outward(const Cell<D>& cell, const Point<D>& offset) const {
+  constexpr double on_surface = 1e-6;  // [h]
+  Point<D> direction = {};
+  for (int a = 0; a < D; ++a) direction[a] = -offset[a];
+  if (norm<D>(offset) < on_surface * lattice_->spacing) gradient(cell, direction);
+  const double length = norm<D>(direction);
+  if (length > 0) {
+    for (double& component : direction) component /= length;
+  }
+  return direction;
+}
+
 template class LevelSet<double, 2>;
 template class LevelSet<double, 3>;
 template class LevelSet<float, 2>;

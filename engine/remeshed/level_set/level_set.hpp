@@ -72,6 +72,9 @@ class LevelSet {
 
   /// Closest point of the surface minus the node [m]; false if none was found.
   bool closest_point(std::int64_t slot, Point<D>& offset) const;
+  /// Unit vector away from the surface at a node outside, or on it, whose closest point is at
+  /// `offset` from it [m]; null where the surface has no direction.
+  Point<D> outward(const Cell<D>& cell, const Point<D>& offset) const;
 
  private:
   /// Values of layer_[0] for near nodes with a closest point: whether (RP.41) found it.

@@ -141,6 +141,7 @@ void Remeshing<T, D>::prepare_target(bool reinitialise, bool is_final) {
   body_.spare.ghosts.swap(body_.population.ghosts);
   body_.spare.ghosts.resize(body_.spare.layout.blocks().size());
   const std::size_t blocks = body_.spare.layout.blocks().size();
+  corners_.resize(blocks);
   body_.loaded.resize(blocks);
   body_.shear.resize(blocks);
 }

@@ -76,7 +76,9 @@ class Remeshing {
   LayoutSearch<T, D> layout_search_;
   RemeshedFields<T, D> fields_;
   LevelSet<T, D> level_set_;
-  std::vector<std::int64_t> particles_;  ///< [new block]
+  std::vector<std::int64_t> particles_;         ///< [new block]
+  std::vector<std::vector<Point<D>>> corners_;  ///< [new block] re-entrant corners
+  ReentrantCorners<D> all_corners_;
 };
 
 extern template class Remeshing<double, 2>;

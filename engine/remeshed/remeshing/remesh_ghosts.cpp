@@ -15,9 +15,17 @@ using enum Group;
 // particles of a block.
 template <class T, int D>
 void Remeshing<T, D>::add_ghosts(PhaseRows& rows) {
+  rows.each("ghosts: corners", near(with_images(new_kinds) + whole(closest, 1) + whole(extended)),
+            own(whole(new_corners)), [this](int b) {
+              if (!is_final_) return;
+              find_reentrant_corners<T, D>(body_.lattice, body_.spare, level_set_, b, corners_[b]);
+            });
+  rows.reduce("ghosts: corners", all(whole(new_corners)), all(whole(new_corners)), [this] {
+    if (is_final_) all_corners_.collect(corners_, corner_reach * body_.lattice.spacing);
+  });
   rows.each("ghosts: fits",
             near(with_images(new_kinds) + with_images(new_state) + whole(extended)) +
-                own(whole(closest, 1)) + all(whole(kinds)),
+                own(whole(closest, 1)) + all(whole(kinds) + whole(new_corners)),
             own(whole(new_fits) + whole(used)), [this](int b) {
               if (is_final_) fit_block(b);
             });
@@ -82,9 +90,9 @@ void Remeshing<T, D>::find_kinds(int block) {
 
 template <class T, int D>
 void Remeshing<T, D>::fit_block(int block) {
-  fit_ghosts<T, D>(
-      {body_, body_.spare, level_set_, boundaries_, treatment_, stencil_reach_, kernels_}, block,
-      body_.record_of_slot.get());
+  fit_ghosts<T, D>({body_, body_.spare, level_set_, boundaries_, all_corners_, treatment_,
+                    stencil_reach_, kernels_},
+                   block, body_.record_of_slot.get());
 }
 
 template void Remeshing<double, 2>::add_ghosts(PhaseRows&);

@@ -7,6 +7,10 @@ namespace pliant::remeshed {
 
 namespace {
 
+// Nodes this far outside the body or behind a wall still belong to the body [h]. Where a row of
+// nodes lies on an inclined surface, rounding would otherwise decide for each of them.
+constexpr double on_surface = 1e-6;
+
 template <class T, int D>
 Kind kind_of(const Point<D>& x, T phi, double h, bool valid, Outside outside,
              const Boundaries<D>& boundaries) {
@@ -14,11 +18,13 @@ Kind kind_of(const Point<D>& x, T phi, double h, bool valid, Outside outside,
   const auto [wall, d] = boundaries.nearest_wall(x);
   if (d < -ghost_band * h) return Kind::vacant;
   // (RP.97): a wall does not hold the body where the body does not reach it.
-  if (d < 0 && (phi < 0 || boundaries.walls[wall].slips())) return Kind::wall_ghost;
+  const bool is_outside = phi >= on_surface * h;
+  if (d < -on_surface * h && (!is_outside || boundaries.walls[wall].slips()))
+    return Kind::wall_ghost;
   // What is beyond a contact wall is outside the body, whatever phi is.
   const double beyond = boundaries.nearest_contact(x).second;
   if (beyond < -ghost_band * h) return Kind::vacant;
-  if (phi >= 0 || beyond < 0) {
+  if (is_outside || beyond < 0) {
     return outside == Outside::ghosts ? Kind::free_ghost : Kind::vacant;
   }
   return valid ? Kind::interior : Kind::vacant;

@@ -54,6 +54,7 @@ inline constexpr Table group_list = [] {
                    {G::filtered, "filtered state"},
                    {G::extended, "extended phi"},
                    {G::closest, "closest points", false, {"even layers", "odd layers"}},
+                   {G::new_corners, "new corners"},
                    {G::new_fits, "new ghost fits"},
                    {G::used, "used particles"},
                    {G::surface_packs, "new surface packs"},

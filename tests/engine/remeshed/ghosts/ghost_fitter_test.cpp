@@ -62,7 +62,7 @@ Fitted fitted_above(const Solver& solver, double x, const Fitting& fit) {
   fitted.used.assign(distance.size(), 0);
   fitted.foot = {x, 1};
   remeshed::GhostFitter<double, 2> fitter(
-      body, body.population, fitted.ghosts, level_set, solver.state().boundaries,
+      body, body.population, fitted.ghosts, level_set, solver.state().boundaries, {},
       kernels::RemeshedTable<double, 2>::of(kernels::Isa::sse2), fitted.used.data());
   fit(fitter, fitted.foot);
   fitter.finish();
