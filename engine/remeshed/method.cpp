@@ -131,11 +131,16 @@ constexpr ThinBodyError errors_of_thin_bodies[] = {
 // Measured for cantilevers, docs/decisions/0068.
 constexpr double error_of_slender_bodies = 0.0115;
 
+// Measured for L-shaped bodies, docs/decisions/0069.
+constexpr std::string_view error_at_reentrant_corners =
+    "loads bend it there up to 15 % too far, and vibrations gain or lose energy there";
+
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
   std::span<const ThinBodyError> errors = errors_of_thin_bodies;
   if (!has_boundary(a_case, BoundaryCase::Kind::traction)) errors = errors.first<3>();
   warn_of_thin_bodies(a_case, errors, warnings);
   if (has_loads(a_case)) warn_of_slender_bodies(a_case, error_of_slender_bodies, warnings);
+  warn_of_reentrant_corners(a_case, error_at_reentrant_corners, warnings);
   warn_of_resting_bodies(a_case, warnings);
 }
 

@@ -12,6 +12,7 @@
 #include "engine/case/vocabulary/boundary_kinds.hpp"
 #include "engine/geometry/climb.hpp"
 #include "engine/geometry/free_surface.hpp"
+#include "engine/geometry/reentrant_corner.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
 namespace pliant {
@@ -58,19 +59,40 @@ std::vector<Vector> middles(const Box<3>& box, int dimension, double step) {
   return found;
 }
 
+/// The distance between neighbours of some `probes` points in a box.
+double step_of_probes(const Box<3>& box, int dimension) {
+  double volume = 1;
+  for (int a = 0; a < dimension; ++a) volume *= box.upper[a] - box.lower[a];
+  return std::pow(volume / probes, 1. / dimension);
+}
+
+/// The length of a body along the axis along which it is longest.
+double length_of(const BodyCase& body, int dimension) {
+  const Box<3> box = bounding_box(body.geometry);
+  const double step = step_of_probes(box, dimension);
+  if (!std::isfinite(step)) return std::numeric_limits<double>::infinity();
+  Box<3> inside;
+  for (const Vector& x : middles(box, dimension, step)) {
+    if (signed_distance(body.geometry, x, dimension) < 0) inside.grow(x);
+  }
+  double length = 0;
+  for (int a = 0; a < dimension; ++a) {
+    const double size = box.upper[a] - box.lower[a], cell = size / std::ceil(size / step);
+    length = std::max(length, inside.upper[a] - inside.lower[a] + cell);
+  }
+  return length;
+}
+
 /// The largest value of a function of distances in and near a body; infinite if it exceeds the
 /// length of the body, for example if only one face is free.
 template <class F>
 double largest(const BodyCase& body, int dimension, const F& value_at) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   const Box<3> box = bounding_box(body.geometry);
-  double volume = 1, length = 0, most = -endless;
-  for (int a = 0; a < dimension; ++a) {
-    volume *= box.upper[a] - box.lower[a];
-    length += box.upper[a] - box.lower[a];
-  }
-  if (!std::isfinite(volume)) return endless;
-  const double step = std::pow(volume / probes, 1. / dimension);
+  const double step = step_of_probes(box, dimension);
+  if (!std::isfinite(step)) return endless;
+  double length = 0, most = -endless;
+  for (int a = 0; a < dimension; ++a) length += box.upper[a] - box.lower[a];
   std::vector<std::pair<double, Vector>> found;
   for (const Vector& x : middles(box, dimension, step)) found.emplace_back(value_at(x), x);
   std::ranges::sort(found, std::ranges::greater{});
@@ -155,11 +177,7 @@ void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::
   constexpr double unmentioned = 0.02;
   const double h = a_case.discretisation.spacing;
   for (const BodyCase& body : a_case.bodies) {
-    const Box<3> box = bounding_box(body.geometry);
-    double length = 0;
-    for (int a = 0; a < a_case.dimension; ++a) {
-      length = std::max(length, box.upper[a] - box.lower[a]);
-    }
+    const double length = length_of(body, a_case.dimension);
     const double thick = thickness(a_case, body);
     const double deviation = factor * std::pow(length * h / (thick * thick), 2);
     if (!std::isfinite(length) || deviation < unmentioned) continue;
@@ -168,6 +186,23 @@ void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::
         "where they also compress it; use a finer spacing (discretisation.spacing = {:.3g} or "
         "below) or method = \"total_lagrangian\"",
         body.name, length / thick, 100 * deviation, h * std::sqrt(unmentioned / deviation)));
+  }
+}
+
+void warn_of_reentrant_corners(const Case& a_case, std::string_view deviation,
+                               std::vector<std::string>& warnings) {
+  const std::vector<Shape> ends = ends_of_bodies(a_case);
+  for (const BodyCase& body : a_case.bodies) {
+    if (contains_mesh(body.geometry)) continue;
+    const Shape open = free_surface(body.geometry, ends, a_case.dimension);
+    if (!has_reentrant_corner(open, body.geometry, a_case.dimension,
+                              a_case.discretisation.spacing)) {
+      continue;
+    }
+    warnings.push_back(fmt::format(
+        "body `{}` has a re-entrant corner, such as that of an L or of a notch: {}; take method = "
+        "\"total_lagrangian\" for bodies that keep their neighbours",
+        body.name, deviation));
   }
 }
 

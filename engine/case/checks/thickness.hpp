@@ -39,4 +39,9 @@ void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> 
 /// (L h/t^2)^2 if its length is L and its thickness t.
 void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::string>& warnings);
 
+/// Adds a warning for each body whose free surface has a re-entrant corner; `deviation` says what
+/// is wrong there. Bodies from meshes are left out.
+void warn_of_reentrant_corners(const Case& a_case, std::string_view deviation,
+                               std::vector<std::string>& warnings);
+
 }  // namespace pliant

@@ -76,8 +76,7 @@ void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const 
   const bool is_curved =
       wall == nullptr && wall_distance > fit_radius && corner_distance > corner_reach;
   ghost.curved = is_curved ? share_of_curved_fit(body_) : 0;
-  ghost.at_rim =
-      wall == nullptr && (wall_distance < rim_reach_ || corner_distance < corner_reach);
+  ghost.at_rim = wall == nullptr && (wall_distance < rim_reach_ || corner_distance < corner_reach);
   for (int a = 0; a < D; ++a) {
     ghost.centre[a] = (foot[a] - body_.lattice.origin[a]) / h - 0.5;
   }

@@ -3,44 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <span>
 
+#include "engine/geometry/padded.hpp"
+#include "engine/geometry/reentrant_corner.hpp"
 #include "engine/lattice/point_algebra.hpp"
 
 namespace pliant::remeshed {
 
 namespace {
 
-constexpr double alike = 0.9;      // cosine between normals of a smooth surface in adjacent cells
-constexpr double different = 0.7;  // cosine between the normals of two faces
-constexpr double least_height = 0.4;  // [h] of one face's foot point above the other face
-constexpr double farthest = 1.1;      // [h] of nodes from the surface; beyond, even smooth faces meet
-
-/// A place of the surface near a node.
-template <int D>
-struct Facet {
-  Point<D> foot;    ///< relative to the node [h]
-  Point<D> normal;  ///< unit, out of the body
-
-  double height_of_node() const { return -dot<D>(foot, normal); }
-};
-
-/// The surface as the free-surface nodes in the cells around a slot see it; nothing if it is smooth
-/// there.
+/// The facets that the free-surface nodes in the cells around a slot see, that of the slot first.
 template <class T, int D>
 class FacetsAround {
  public:
   FacetsAround(const Population<T, D>& population, const LevelSet<T, D>& level_set, double spacing)
       : population_(population), level_set_(level_set), spacing_(spacing) {}
 
-  std::span<const Facet<D>> find(const kernels::Segment<D>& segment, std::int64_t slot,
-                                 const Cell<D>& cell) {
+  std::span<const Facet> find(const kernels::Segment<D>& segment, std::int64_t slot,
+                              const Cell<D>& cell) {
     constexpr int depth = D == 3 ? 1 : 0;
     count_ = 0;
-    const std::optional<Facet<D>> own = facet(slot, cell, {});
-    if (!own) return {};
-    bool is_smooth = true;
+    if (!add(slot, cell, {})) return {};
     for (int dz = -depth; dz <= depth; ++dz) {
       for (int dy = -1; dy <= 1; ++dy) {
         const std::int64_t row = slot + segment.neighbour_row[kernels::row_index<D>(dy, dz)];
@@ -49,84 +33,36 @@ class FacetsAround {
           away[0] = dx;
           away[1] = dy;
           if constexpr (D == 3) away[2] = dz;
-          const std::optional<Facet<D>> other = facet(row + dx, cell, away);
-          if (!other) continue;
-          const bool turns = dot<D>(other->normal, own->normal) < alike;
-          if (turns && !is_at(row + dx, cell, away)) continue;
-          is_smooth = is_smooth && !turns;
-          facets_[count_++] = *other;
+          if (away != Cell<D>{}) add(row + dx, cell, away);
         }
       }
     }
-    return {facets_.data(), is_smooth ? 0 : count_};
+    return {facets_.data(), count_};
   }
 
  private:
-  // The offset to a row that does not exist may lead anywhere.
-  bool is_at(std::int64_t slot, const Cell<D>& cell, const Cell<D>& away) const {
-    return population_.layout.slot(moved(cell, away)) == slot;
-  }
-
-  static Cell<D> moved(Cell<D> cell, const Cell<D>& away) {
-    for (int a = 0; a < D; ++a) cell[a] += away[a];
-    return cell;
-  }
-
-  std::optional<Facet<D>> facet(std::int64_t slot, const Cell<D>& cell, const Cell<D>& away) const {
+  bool add(std::int64_t slot, const Cell<D>& cell, const Cell<D>& away) {
     Point<D> offset;
-    if (population_.kind[slot] != Kind::free_ghost || !level_set_.closest_point(slot, offset)) {
-      return std::nullopt;
+    if (population_.kind[slot] != Kind::free_ghost || !level_set_.closest_point(slot, offset) ||
+        norm<D>(offset) > farthest_node * spacing_) {
+      return false;
     }
-    if (norm<D>(offset) > farthest * spacing_) return std::nullopt;
-    Facet<D> result{as_point<D>(away), level_set_.outward(moved(cell, away), offset)};
-    for (int a = 0; a < D; ++a) result.foot[a] += offset[a] / spacing_;
-    return result;
+    Cell<D> at = cell;
+    for (int a = 0; a < D; ++a) at[a] += away[a];
+    // The offset to a row that does not exist may lead anywhere.
+    if (population_.layout.slot(at) != slot) return false;
+    Point<D> foot = as_point<D>(away);
+    for (int a = 0; a < D; ++a) foot[a] += offset[a] / spacing_;
+    facets_[count_++] = {padded<D>(foot), padded<D>(level_set_.outward(at, offset))};
+    return true;
   }
 
   const Population<T, D>& population_;
   const LevelSet<T, D>& level_set_;
   double spacing_;
-  std::array<Facet<D>, D == 2 ? 9 : 27> facets_;
+  std::array<Facet, D == 2 ? 9 : 27> facets_;
   std::size_t count_ = 0;
 };
-
-/// Whether each of two facets lies in front of the other.
-template <int D>
-bool face_each_other(const Facet<D>& a, const Facet<D>& b) {
-  const Point<D> apart = difference<D>(b.foot, a.foot);
-  return dot<D>(apart, a.normal) > least_height && -dot<D>(apart, b.normal) > least_height;
-}
-
-/// The pair of facets that face each other whose normals differ most.
-template <int D>
-std::optional<std::array<Facet<D>, 2>> faces_among(std::span<const Facet<D>> facets) {
-  std::optional<std::array<Facet<D>, 2>> faces;
-  double least = different;
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const double cosine = dot<D>(facets[i].normal, facets[j].normal);
-      if (cosine >= least || cosine < -different) continue;
-      if (!face_each_other(facets[i], facets[j])) continue;
-      least = cosine;
-      faces = {facets[j], facets[i]};
-    }
-  }
-  return faces;
-}
-
-/// The place nearest to the node at x where the planes of two facets meet.
-template <int D>
-Point<D> corner_of(const std::array<Facet<D>, 2>& faces, Point<D> x, double spacing) {
-  const auto& [first, second] = faces;
-  const double cosine = dot<D>(first.normal, second.normal);
-  const double one = first.height_of_node(), two = second.height_of_node();
-  const double along_first = (one - cosine * two) / (1 - cosine * cosine);
-  const double along_second = (two - cosine * one) / (1 - cosine * cosine);
-  for (int a = 0; a < D; ++a) {
-    x[a] -= spacing * (along_first * first.normal[a] + along_second * second.normal[a]);
-  }
-  return x;
-}
 
 }  // namespace
 
@@ -144,8 +80,11 @@ void find_reentrant_corners(const Lattice<D>& lattice, const Population<T, D>& p
     const std::int64_t end = segment.first + segment.count;
     for (std::int64_t slot = segment.first; slot < end; ++slot, ++cell[0]) {
       if (population.kind[slot] != Kind::free_ghost) continue;
-      const auto faces = faces_among<D>(around.find(segment, slot, cell));
-      if (faces) corners.push_back(corner_of<D>(*faces, lattice.node(cell), lattice.spacing));
+      const auto faces = faces_of_corner(around.find(segment, slot, cell));
+      if (!faces) continue;
+      const Vector place = meeting_place(*faces);
+      Point<D>& corner = corners.emplace_back(lattice.node(cell));
+      for (int a = 0; a < D; ++a) corner[a] += lattice.spacing * place[a];
     }
   }
 }

@@ -6,8 +6,8 @@
 #include "engine/remeshed/level_set/level_set.hpp"
 #include "engine/remeshed/state/body.hpp"
 
-/// Re-entrant corners of the free surface (edges in 3D), (RP.109): where two faces meet that each
-/// lie in front of the other, as in the notch of an L. The stress is singular there.
+/// Re-entrant corners of the free surface, (RP.109); see engine/geometry/reentrant_corner.hpp. The
+/// stress is singular there.
 namespace pliant::remeshed {
 
 inline constexpr double corner_reach = 2.4;  ///< [h] of foot points that are beside a corner

@@ -32,6 +32,7 @@
 //     level set: distances   if due, phi becomes the distance to them, except near edges (RP.82)
 //     level set: layers           the same layer by layer further out (RP.40)
 //     remesh: kinds     which slots hold particles and ghosts; det F = rho0/rho (RP.38)
+//     ghosts: corners   re-entrant corners of the surface, near which fits are others (RP.109)
 //     ghosts: fits      the coefficients of the ghosts (RP.43), (RP.44)
 //     ghosts: surface   surface records for the particles that fits read
 //     ghosts: loads     the loads on the faces nearest to those particles, and on ghosts (RP.78)

@@ -104,5 +104,43 @@ TEST(thickness, slender_bodies_are_warned_of_by_their_deviation) {
             "below) or method = \"total_lagrangian\"");
 }
 
+TEST(thickness, bodies_are_as_long_as_what_half_spaces_leave_of_a_box) {
+  Case cut = tests::read_text(tests::block_case);
+  Shape& shape = cut.bodies[0].geometry;
+  Shape around = shape;
+  for (int a = 0; a < 2; ++a) {
+    around.lower[a] -= 20;
+    around.upper[a] += 20;
+  }
+  Shape both;
+  both.kind = Shape::Kind::intersect;
+  both.operands = {around, shape};
+  shape = both;
+  std::vector<std::string> warnings;
+  warn_of_slender_bodies(cut, 0.49, warnings);
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST(thickness, bodies_with_reentrant_corners_are_warned_of) {
+  Case a_case = tests::read_text(tests::block_case);  // 1 x 2
+  std::vector<std::string> warnings;
+  warn_of_reentrant_corners(a_case, "too far", warnings);
+  EXPECT_TRUE(warnings.empty());
+  Shape& shape = a_case.bodies[0].geometry;
+  Shape notch = shape, both;
+  notch.lower[0] = (shape.lower[0] + shape.upper[0]) / 2;
+  notch.lower[1] = (shape.lower[1] + shape.upper[1]) / 2;
+  notch.upper[0] += 1;
+  notch.upper[1] += 1;
+  both.kind = Shape::Kind::subtract;
+  both.operands = {shape, notch};
+  shape = both;
+  warn_of_reentrant_corners(a_case, "too far", warnings);
+  ASSERT_EQ(warnings.size(), 1);
+  EXPECT_EQ(warnings[0],
+            "body `block` has a re-entrant corner, such as that of an L or of a notch: too far; "
+            "take method = \"total_lagrangian\" for bodies that keep their neighbours");
+}
+
 }  // namespace
 }  // namespace pliant
