@@ -74,11 +74,11 @@ bool has_corner(const Shape& surface, const Box<3>& box, double spacing) {
 
 }  // namespace
 
+bool are_alike(const Facet& a, const Facet& b) { return dot(a.normal, b.normal) > alike; }
+
 std::optional<std::array<Facet, 2>> faces_of_corner(std::span<const Facet> facets) {
-  const auto continues = [&](const Facet& facet) {
-    return dot(facet.normal, facets.front().normal) > alike;
-  };
   std::optional<std::array<Facet, 2>> faces;
+  const auto continues = [&](const Facet& facet) { return are_alike(facet, facets.front()); };
   if (std::ranges::all_of(facets, continues)) return faces;
   double least = different;
   for (std::size_t i = 0; i < facets.size(); ++i) {

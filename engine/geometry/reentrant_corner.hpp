@@ -26,8 +26,11 @@ struct Facet {
 /// closest points of smooth surfaces differ as much.
 inline constexpr double farthest_node = 1.1;
 
+/// Whether the surface may be smooth between two facets in adjacent cells.
+bool are_alike(const Facet& a, const Facet& b);
+
 /// The faces of a re-entrant corner beside a node, if the facets that the node and those in the
-/// cells around it see are not all of one smooth face.
+/// cells around it see are not all of one smooth face; that of the node comes first.
 std::optional<std::array<Facet, 2>> faces_of_corner(std::span<const Facet> facets);
 
 /// The place nearest to the node where the planes of both facets meet, relative to it, over the

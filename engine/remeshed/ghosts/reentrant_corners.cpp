@@ -49,11 +49,14 @@ class FacetsAround {
     }
     Cell<D> at = cell;
     for (int a = 0; a < D; ++a) at[a] += away[a];
-    // The offset to a row that does not exist may lead anywhere.
-    if (population_.layout.slot(at) != slot) return false;
     Point<D> foot = as_point<D>(away);
     for (int a = 0; a < D; ++a) foot[a] += offset[a] / spacing_;
-    facets_[count_++] = {padded<D>(foot), padded<D>(level_set_.outward(at, offset))};
+    const Facet facet{padded<D>(foot), padded<D>(level_set_.outward(at, offset))};
+    // The offset to a row that does not exist may lead anywhere.
+    if (count_ > 0 && !are_alike(facet, facets_[0]) && population_.layout.slot(at) != slot) {
+      return false;
+    }
+    facets_[count_++] = facet;
     return true;
   }
 
