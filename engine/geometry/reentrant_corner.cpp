@@ -14,6 +14,7 @@ namespace {
 constexpr double alike = 0.9;      // cosine between normals of a smooth surface in adjacent cells
 constexpr double different = 0.7;  // cosine between the normals of two faces
 constexpr double least_height = 0.4;  // of one face's foot over the other face, over the spacing
+constexpr double on_surface = 0.01;   // of feet, over the spacing
 constexpr double most_nodes = 40000;  // that a search of a whole surface visits
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -27,7 +28,8 @@ bool face_each_other(const Facet& a, const Facet& b) {
   return height_over(a, b) > least_height && height_over(b, a) > least_height;
 }
 
-/// The surface as seen from a node; none if the node is inside, or too far away.
+/// The surface as seen from a node; none if the node is inside, or too far away. Distances outside
+/// an edge of an intersection are those from the planes of its faces, whose feet are not on it.
 std::optional<Facet> facet_seen(const Shape& surface, const Vector& node, const Vector& away,
                                 int dimension, double spacing) {
   Vector x;
@@ -35,8 +37,12 @@ std::optional<Facet> facet_seen(const Shape& surface, const Vector& node, const 
   const double distance = signed_distance(surface, x, dimension) / spacing;
   if (distance < 0 || distance > farthest_node) return std::nullopt;
   Facet facet{away, outward_direction(surface, x, dimension)};
-  for (int a = 0; a < dimension; ++a) facet.foot[a] -= distance * facet.normal[a];
-  return facet;
+  for (int a = 0; a < dimension; ++a) {
+    facet.foot[a] -= distance * facet.normal[a];
+    x[a] -= spacing * distance * facet.normal[a];
+  }
+  const double missed = std::abs(signed_distance(surface, x, dimension));
+  return missed < on_surface * spacing ? std::optional(facet) : std::nullopt;
 }
 
 template <int D>

@@ -32,7 +32,11 @@ TEST(reentrant_corner, is_found_in_brackets_notches_and_where_balls_meet) {
 TEST(reentrant_corner, is_neither_an_edge_nor_a_round_hole) {
   const Shape block = box({0, 0, 0}, {1, 3, 1});
   const Shape ring = combine(Shape::Kind::subtract, {ball({0, 0, 0}, 1), ball({0, 0, 0}, 0.5)});
+  const Shape wedge =
+      combine(Shape::Kind::intersect, {block, tests::half_space({0, 2.5, 0}, {-0.6, 0.8, 0}),
+                                       tests::half_space({0.7, 0, 0}, {0.8, 0.6, 0})});
   for (const int dimension : {2, 3}) {
+    EXPECT_FALSE(has_corner(wedge, dimension)) << dimension;
     EXPECT_FALSE(has_corner(block, dimension)) << dimension;
     EXPECT_FALSE(has_corner(ring, dimension)) << dimension;
     EXPECT_FALSE(has_corner(ball({0.3, 0, 0}, 1), dimension)) << dimension;
