@@ -6,6 +6,7 @@
 
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 
 namespace pliant::remeshed {
@@ -14,6 +15,20 @@ namespace {
 
 constexpr double known = 0.02;   // [h] accuracy of places at t = 0: regions may end on a face
 constexpr double unseen = 1e-3;  // of the squares of grad phi; below it they have no direction
+
+/// Calls f(a, q, r) for each axis a on which the cells above and below have the slots q and r.
+template <int D, class F>
+void for_each_pair_beside(const Lattice<D>& lattice, const Layout<D>& layout, const Cell<D>& cell,
+                          F&& f) {
+  for (int a = 0; a < D; ++a) {
+    Cell<D> up = cell, down = cell;
+    ++up[a];
+    --down[a];
+    const std::int64_t q = layout.slot(lattice.wrapped(up));
+    const std::int64_t r = layout.slot(lattice.wrapped(down));
+    if (q >= 0 && r >= 0) f(a, q, r);
+  }
+}
 
 /// Finds the faces and loads near the particles of a block.
 template <class T, int D>
@@ -34,8 +49,8 @@ class LoadFinder {
     Point<D> x = lattice_.node(cell);
     for (int a = 0; a < D; ++a) x[a] -= moved[a];
     const InitialFace<D> initial = nearest_face(x);
-    Point<D> normal, gradient;
-    turn(cell, initial.normal, normal, gradient);
+    const Point<D> normal = present_normal<T, D>(lattice_, layout_, fields_, cell, initial.normal);
+    const Point<D> gradient = slope_at(cell, initial.normal);
     for (int a = 0; a < D; ++a) {
       face[a] = static_cast<T>(normal[a]);
       slope[a] = static_cast<T>(gradient[a]);
@@ -60,27 +75,14 @@ class LoadFinder {
     return face;
   }
 
-  // Computes the present direction of a normal, F^-T N with F^-1 = I - grad d, and grad phi.
-  void turn(const Cell<D>& cell, const Point<D>& initial, Point<D>& normal, Point<D>& slope) const {
+  // grad phi, or the initial normal where a node beside has no slot.
+  Point<D> slope_at(const Cell<D>& cell, const Point<D>& initial) const {
     const T* phi = fields_.get(Field::level_set);
-    normal = initial;
-    slope = initial;
-    double square = 0;
-    for (int a = 0; a < D; ++a) {
-      Cell<D> up = cell, down = cell;
-      ++up[a];
-      --down[a];
-      const std::int64_t q = layout_.slot(lattice_.wrapped(up));
-      const std::int64_t r = layout_.slot(lattice_.wrapped(down));
-      if (q >= 0 && r >= 0) {
-        const double scale = 1 / (2 * lattice_.spacing);
-        const Point<D> above = displacement(q), below = displacement(r);
-        for (int i = 0; i < D; ++i) normal[a] -= scale * (above[i] - below[i]) * initial[i];
-        slope[a] = scale * (phi[q] - phi[r]);
-      }
-      square += normal[a] * normal[a];
-    }
-    for (double& component : normal) component /= std::sqrt(square);
+    Point<D> slope = initial;
+    for_each_pair_beside<D>(lattice_, layout_, cell, [&](int a, std::int64_t q, std::int64_t r) {
+      slope[a] = (phi[q] - phi[r]) / (2 * lattice_.spacing);
+    });
+    return slope;
   }
 
   Point<D> displacement(std::int64_t slot) const {
@@ -106,6 +108,22 @@ std::int8_t load_at(const Boundaries<D>& boundaries, const Point<D>& start) {
 }
 
 }  // namespace
+
+template <class T, int D>
+Point<D> present_normal(const Lattice<D>& lattice, const Layout<D>& layout,
+                        const FieldStore<T, D>& fields, const Cell<D>& cell,
+                        const Point<D>& initial) {
+  Point<D> normal = initial;
+  for_each_pair_beside<D>(lattice, layout, cell, [&](int a, std::int64_t q, std::int64_t r) {
+    for (int i = 0; i < D; ++i) {
+      const T* displacement = fields.get(Field::displacement, i);
+      normal[a] -= (displacement[q] - displacement[r]) / (2 * lattice.spacing) * initial[i];
+    }
+  });
+  const double length = norm<D>(normal);
+  for (double& component : normal) component /= length;
+  return normal;
+}
 
 // A region may end in the plane of a loaded face, so the point just outside the face decides.
 template <int D>
@@ -232,6 +250,9 @@ template InitialFace<3> face_at<3>(const Boundaries<3>&, const Shape&, const Poi
 template void find_record_loads<double, 2>(const Lattice<2>&, const FieldStore<double, 2>&,
                                            const Shape&, const Boundaries<2>&, int,
                                            Population<double, 2>&);
+template Point<2> present_normal<double, 2>(const Lattice<2>&, const Layout<2>&,
+                                            const FieldStore<double, 2>&, const Cell<2>&,
+                                            const Point<2>&);
 template void find_ghost_loads<double, 2>(Population<double, 2>&, int);
 template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double, 2>&,
                                                                const BlockGhosts<double, 2>&,
@@ -241,6 +262,9 @@ template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double
 template void find_record_loads<double, 3>(const Lattice<3>&, const FieldStore<double, 3>&,
                                            const Shape&, const Boundaries<3>&, int,
                                            Population<double, 3>&);
+template Point<3> present_normal<double, 3>(const Lattice<3>&, const Layout<3>&,
+                                            const FieldStore<double, 3>&, const Cell<3>&,
+                                            const Point<3>&);
 template void find_ghost_loads<double, 3>(Population<double, 3>&, int);
 template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double, 3>&,
                                                                const BlockGhosts<double, 3>&,
@@ -250,6 +274,9 @@ template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double
 template void find_record_loads<float, 2>(const Lattice<2>&, const FieldStore<float, 2>&,
                                           const Shape&, const Boundaries<2>&, int,
                                           Population<float, 2>&);
+template Point<2> present_normal<float, 2>(const Lattice<2>&, const Layout<2>&,
+                                           const FieldStore<float, 2>&, const Cell<2>&,
+                                           const Point<2>&);
 template void find_ghost_loads<float, 2>(Population<float, 2>&, int);
 template kernels::SurfaceLoad<float, 2> mixed_load<float, 2>(const Body<float, 2>&,
                                                              const BlockGhosts<float, 2>&,
@@ -258,6 +285,9 @@ template kernels::SurfaceLoad<float, 2> mixed_load<float, 2>(const Body<float, 2
 template void find_record_loads<float, 3>(const Lattice<3>&, const FieldStore<float, 3>&,
                                           const Shape&, const Boundaries<3>&, int,
                                           Population<float, 3>&);
+template Point<3> present_normal<float, 3>(const Lattice<3>&, const Layout<3>&,
+                                           const FieldStore<float, 3>&, const Cell<3>&,
+                                           const Point<3>&);
 template void find_ghost_loads<float, 3>(Population<float, 3>&, int);
 template kernels::SurfaceLoad<float, 3> mixed_load<float, 3>(const Body<float, 3>&,
                                                              const BlockGhosts<float, 3>&,

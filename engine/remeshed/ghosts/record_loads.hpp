@@ -22,6 +22,13 @@ template <int D>
 InitialFace<D> face_at(const Boundaries<D>& boundaries, const Shape& surface,
                        const Point<D>& start);
 
+/// The present direction of the normal N of a face at t = 0, F^-T N with F^-1 = I - grad d from the
+/// nodes beside that of a cell. Particles must be on nodes.
+template <class T, int D>
+Point<D> present_normal(const Lattice<D>& lattice, const Layout<D>& layout,
+                        const FieldStore<T, D>& fields, const Cell<D>& cell,
+                        const Point<D>& initial);
+
 /// Finds the face nearest to each surface particle of a block, and the loads there. Particles must
 /// be on nodes. `fields` are those of the nodes, `surface` the free surface at t = 0.
 template <class T, int D>

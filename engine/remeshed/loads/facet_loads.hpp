@@ -4,17 +4,25 @@
 #include <array>
 #include <cmath>
 
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/remeshed/observe/surface_pieces.hpp"
 
 namespace pliant::remeshed {
 
-/// The loads on the components of a facet's area vector, and the share of the facet on which they
-/// act.
+/// The loads on the components of a facet's area vector along `normal`, and the share of the facet
+/// on which they act.
 template <int D>
 struct FacetLoad {
   std::array<std::int8_t, D> load;
+  std::array<Point<D>, D> normal = axes();
   double share = 1;
+
+  static constexpr std::array<Point<D>, D> axes() {
+    std::array<Point<D>, D> axes = {};
+    for (int a = 0; a < D; ++a) axes[a][a] = 1;
+    return axes;
+  }
 };
 
 /// Finds the loads on facets.
@@ -27,15 +35,14 @@ class FacetLoads {
   FacetLoad<D> of(const SurfacePiece<D>& piece) const {
     std::array<InitialFace<D>, D> faces;
     for (int i = 0; i < D; ++i) faces[i] = face(start_of(piece[i]));
-    FacetLoad<D> result;
     const auto [least, greatest] = std::ranges::minmax(faces, {}, &InitialFace<D>::load);
     if (least.load != greatest.load && is_one_face(faces)) {
+      FacetLoad<D> result;
       result.load.fill(greatest.load);
       result.share = share_under(greatest.load, piece);
       return result;
     }
-    for (int a = 0; a < D; ++a) result.load[a] = along(piece, a);
-    return result;
+    return of_faces(piece, faces);
   }
 
  private:
@@ -44,10 +51,51 @@ class FacetLoads {
 
   static bool is_one_face(const std::array<InitialFace<D>, D>& faces) {
     return std::ranges::all_of(faces, [&](const InitialFace<D>& face) {
-      double cosine = 0;
-      for (int a = 0; a < D; ++a) cosine += face.normal[a] * faces[0].normal[a];
-      return cosine > one_face;
+      return dot<D>(face.normal, faces[0].normal) > one_face;
     });
+  }
+
+  // A facet that cuts off an edge belongs to two faces, or to three. Its area vector is the sum of
+  // those of what it replaces of each, along their normals. The faces are those at its corners and
+  // within half a spacing of them; one to which nothing of it belongs changes nothing.
+  FacetLoad<D> of_faces(const SurfacePiece<D>& piece,
+                        const std::array<InitialFace<D>, D>& at_corners) const {
+    std::array<InitialFace<D>, D> faces = {};
+    int count = 0;
+    const auto add = [&](const InitialFace<D>& face) {
+      const bool is_known = std::any_of(faces.begin(), faces.begin() + count, [&](auto& other) {
+        return dot<D>(other.normal, face.normal) > one_face;
+      });
+      if (!is_known && count < D) faces[count++] = face;
+    };
+    for (const InitialFace<D>& face : at_corners) add(face);
+    for (const Crossing<D>& crossing : piece) {
+      const Point<D> start = start_of(crossing);
+      for (int a = 0; a < D; ++a) {
+        for (const double way : {-0.5, 0.5}) {
+          Point<D> beside = start;
+          beside[a] += way * view_.body.lattice.spacing;
+          add(face(beside));
+        }
+      }
+    }
+    FacetLoad<D> result;
+    result.load.fill(faces[0].load);
+    if (count == 1) return result;
+    for (int k = 0; k < count; ++k) {
+      result.load[k] = faces[k].load;
+      result.normal[k] = present_normal<T, D>(view_.body.lattice, view_.population.layout,
+                                              view_.fields, piece[0].inside->cell, faces[k].normal);
+    }
+    if constexpr (D == 3) {
+      if (count == 2) {
+        const auto [a, b, rest] = result.normal;
+        result.normal[2] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                            a[0] * b[1] - a[1] * b[0]};
+        result.load[2] = no_load;
+      }
+    }
+    return result;
   }
 
   // The region of the load ends on this facet.
@@ -85,22 +133,6 @@ class FacetLoads {
       for (int a = 0; a < D; ++a) place[a] += weights[i] * corners[i][a];
     }
     return place;
-  }
-
-  // A facet that cuts off an edge belongs to two faces. A component along an axis then belongs to
-  // the face that a particle of the facet sees along that axis.
-  std::int8_t along(const SurfacePiece<D>& piece, int axis) const {
-    for (const Crossing<D>& crossing : piece) {
-      const int step = crossing.outside->cell[axis] - crossing.inside->cell[axis];
-      if (step == 0) continue;
-      SurfaceNode<D> beyond = *crossing.inside;
-      beyond.cell[axis] += step;
-      beyond.slot = view_.population.layout.slot(view_.body.lattice.wrapped(beyond.cell));
-      beyond.phi = view_.fields.get(Field::level_set)[beyond.slot];
-      beyond.place[axis] += step * view_.body.lattice.spacing;
-      if (beyond.phi >= 0) return face(start_of(Crossing<D>{crossing.inside, &beyond})).load;
-    }
-    return face(start_of(piece[0])).load;
   }
 
   InitialFace<D> face(const Point<D>& start) const {

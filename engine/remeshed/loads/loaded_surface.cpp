@@ -1,6 +1,6 @@
 #include "engine/remeshed/loads/loaded_surface.hpp"
 
-#include <Eigen/Geometry>
+#include <Eigen/Dense>
 #include <algorithm>
 
 #include "engine/remeshed/loads/facet_loads.hpp"
@@ -48,17 +48,25 @@ std::array<std::int8_t, D> nothing_loaded() {
   return load;
 }
 
-/// Force of the loads on the components of an area vector.
+/// Force of the loads on the components of an area vector along the normals of a facet's faces.
 template <int D>
-FacetForce<D> force_of(const std::array<std::int8_t, D>& load, const PlaceVector<D>& area,
+FacetForce<D> force_of(const LoadedFacet<D>& facet, const PlaceVector<D>& area,
                        const BoundaryValues<D>& values) {
+  const std::array<std::int8_t, D>& load = facet.load;
+  Eigen::Matrix<double, D, D> normals;
+  for (int i = 0; i < D; ++i) {
+    normals.col(i) = Eigen::Map<const PlaceVector<D>>(facet.normal[i].data());
+  }
+  const PlaceVector<D> along = normals.inverse() * area;
   FacetForce<D> force{PlaceVector<D>::Zero(), PlaceVector<D>::Zero()};
   for (int i = 0; i < D; ++i) {
     if (load[i] < 0 || std::find(load.begin(), load.begin() + i, load[i]) != load.begin() + i) {
       continue;
     }
     PlaceVector<D> part = PlaceVector<D>::Zero();
-    for (int a = i; a < D; ++a) part[a] = load[a] == load[i] ? area[a] : 0;
+    for (int k = i; k < D; ++k) {
+      if (load[k] == load[i]) part += along[k] * normals.col(k);
+    }
     force.normal -= values.pressure[load[i]] * part;
     const double size = part.norm();
     if (size == 0) continue;
@@ -106,6 +114,7 @@ void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& s
     if (facet.share == 0) return;
     const FacetLoad<D> found = loads.of(piece);
     facet.load = found.load;
+    facet.normal = found.normal;
     facet.share *= found.share;
     if (facet.load != nothing_loaded<D>()) facets.push_back(facet);
   };
@@ -135,7 +144,7 @@ FacetForce<D> force_at_stage(const Body<T, D>& body, const LoadedFacet<D>& facet
     places[i] = between<T, D>(place, Field::drift, corner);
     for (int a = 0; a < D; ++a) places[i][a] += corner.place[a];
   }
-  FacetForce<D> force = force_of<D>(facet.load, area_of(places), values);
+  FacetForce<D> force = force_of<D>(facet, area_of(places), values);
   force.normal *= facet.share;
   force.shear *= facet.share;
   return force;

@@ -22,7 +22,8 @@ template <int D>
 struct LoadedFacet {
   std::array<FacetCorner<D>, D> corners;
   double share;                     ///< share in front of attached walls
-  std::array<std::int8_t, D> load;  ///< on each component of its area vector
+  std::array<std::int8_t, D> load;  ///< on each component of its area vector along `normal`
+  std::array<Point<D>, D> normal;   ///< of the faces to which it belongs, at the remeshing; a basis
 };
 
 /// Facets in one cube of nodes that are under a traction; they share the particles behind them.
