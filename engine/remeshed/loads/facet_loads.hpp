@@ -57,16 +57,25 @@ class FacetLoads {
 
   // A facet that cuts off an edge belongs to two faces, or to three. Its area vector is the sum of
   // those of what it replaces of each, along their normals. The faces are those at its corners and
-  // within half a spacing of them; one to which nothing of it belongs changes nothing.
+  // within half a spacing of them; one to which nothing of it belongs changes nothing. Normals that
+  // are nearly in the plane of the others are left out, such as that of the other side of a slit.
   FacetLoad<D> of_faces(const SurfacePiece<D>& piece,
                         const std::array<InitialFace<D>, D>& at_corners) const {
+    constexpr double least_sine = 0.5;
     std::array<InitialFace<D>, D> faces = {};
+    std::array<Point<D>, D> directions =
+        {};  // unit vectors that span the plane of the normals so far
     int count = 0;
     const auto add = [&](const InitialFace<D>& face) {
-      const bool is_known = std::any_of(faces.begin(), faces.begin() + count, [&](auto& other) {
-        return dot<D>(other.normal, face.normal) > one_face;
-      });
-      if (!is_known && count < D) faces[count++] = face;
+      Point<D> rest = face.normal;
+      for (int k = 0; k < count; ++k) {
+        const double along = dot<D>(directions[k], face.normal);
+        for (int a = 0; a < D; ++a) rest[a] -= along * directions[k][a];
+      }
+      const double sine = norm<D>(rest);
+      if (sine < least_sine) return;
+      for (int a = 0; a < D; ++a) directions[count][a] = rest[a] / sine;
+      faces[count++] = face;
     };
     for (const InitialFace<D>& face : at_corners) add(face);
     for (const Crossing<D>& crossing : piece) {
