@@ -6,6 +6,7 @@
 
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/point_algebra.hpp"
 
 namespace pliant {
 
@@ -17,11 +18,9 @@ constexpr double least_height = 0.4;  // of one face's foot over the other face,
 constexpr double on_surface = 0.01;   // of feet, over the spacing
 constexpr double most_nodes = 40000;  // that a search of a whole surface visits
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// Height of the foot of `b` over the face of `a`.
 double height_over(const Facet& a, const Facet& b) {
-  return dot(b.foot, a.normal) - dot(a.foot, a.normal);
+  return dot<3>(b.foot, a.normal) - dot<3>(a.foot, a.normal);
 }
 
 bool face_each_other(const Facet& a, const Facet& b) {
@@ -80,7 +79,7 @@ bool has_corner(const Shape& surface, const Box<3>& box, double spacing) {
 
 }  // namespace
 
-bool are_alike(const Facet& a, const Facet& b) { return dot(a.normal, b.normal) > alike; }
+bool are_alike(const Facet& a, const Facet& b) { return dot<3>(a.normal, b.normal) > alike; }
 
 std::optional<std::array<Facet, 2>> faces_of_corner(std::span<const Facet> facets) {
   std::optional<std::array<Facet, 2>> faces;
@@ -89,7 +88,7 @@ std::optional<std::array<Facet, 2>> faces_of_corner(std::span<const Facet> facet
   double least = different;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const double cosine = dot(facets[i].normal, facets[j].normal);
+      const double cosine = dot<3>(facets[i].normal, facets[j].normal);
       if (cosine >= least || cosine < -different) continue;
       if (!face_each_other(facets[i], facets[j])) continue;
       least = cosine;
@@ -101,8 +100,8 @@ std::optional<std::array<Facet, 2>> faces_of_corner(std::span<const Facet> facet
 
 Vector meeting_place(const std::array<Facet, 2>& faces) {
   const auto& [first, second] = faces;
-  const double cosine = dot(first.normal, second.normal), sine_squared = 1 - cosine * cosine;
-  const double one = dot(first.foot, first.normal), two = dot(second.foot, second.normal);
+  const double cosine = dot<3>(first.normal, second.normal), sine_squared = 1 - cosine * cosine;
+  const double one = dot<3>(first.foot, first.normal), two = dot<3>(second.foot, second.normal);
   Vector place;
   for (int a = 0; a < 3; ++a) {
     place[a] = ((one - cosine * two) * first.normal[a] + (two - cosine * one) * second.normal[a]) /

@@ -5,9 +5,11 @@
 #include <limits>
 #include <span>
 
+#include "engine/blocks/box.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/reentrant_corner.hpp"
 #include "engine/lattice/point_algebra.hpp"
+#include "engine/remeshed/level_set/adjacent.hpp"
 
 namespace pliant::remeshed {
 
@@ -22,37 +24,25 @@ class FacetsAround {
 
   std::span<const Facet> find(const kernels::Segment<D>& segment, std::int64_t slot,
                               const Cell<D>& cell) {
-    constexpr int depth = D == 3 ? 1 : 0;
     count_ = 0;
-    if (!add(slot, cell, {})) return {};
-    for (int dz = -depth; dz <= depth; ++dz) {
-      for (int dy = -1; dy <= 1; ++dy) {
-        const std::int64_t row = slot + segment.neighbour_row[kernels::row_index<D>(dy, dz)];
-        for (int dx = -1; dx <= 1; ++dx) {
-          Cell<D> away = {};
-          away[0] = dx;
-          away[1] = dy;
-          if constexpr (D == 3) away[2] = dz;
-          if (away != Cell<D>{}) add(row + dx, cell, away);
-        }
-      }
-    }
+    if (!add(slot, cell, cell)) return {};
+    for_each_adjacent<D>(segment, cell, [&](const Cell<D>& other, std::int64_t slots_to) {
+      add(slot + slots_to, other, cell);
+    });
     return {facets_.data(), count_};
   }
 
  private:
-  bool add(std::int64_t slot, const Cell<D>& cell, const Cell<D>& away) {
+  bool add(std::int64_t slot, const Cell<D>& at, const Cell<D>& seen_from) {
     Point<D> offset;
     if (population_.kind[slot] != Kind::free_ghost || !level_set_.closest_point(slot, offset) ||
         norm<D>(offset) > farthest_node * spacing_) {
       return false;
     }
-    Cell<D> at = cell;
-    for (int a = 0; a < D; ++a) at[a] += away[a];
-    Point<D> foot = as_point<D>(away);
-    for (int a = 0; a < D; ++a) foot[a] += offset[a] / spacing_;
+    Point<D> foot;
+    for (int a = 0; a < D; ++a) foot[a] = at[a] - seen_from[a] + offset[a] / spacing_;
     const Facet facet{padded<D>(foot), padded<D>(level_set_.outward(at, offset))};
-    // The offset to a row that does not exist may lead anywhere.
+    // A row that does not exist has the slots of another.
     if (count_ > 0 && !are_alike(facet, facets_[0]) && population_.layout.slot(at) != slot) {
       return false;
     }
@@ -96,18 +86,13 @@ template <int D>
 void ReentrantCorners<D>::collect(const std::vector<std::vector<Point<D>>>& blocks, double reach) {
   count_ = 0;
   reach_ = reach;
-  Point<D> lower = {}, upper = {};
+  Box<D> box;
   for (const std::vector<Point<D>>& corners : blocks) {
-    for (const Point<D>& corner : corners) {
-      for (int a = 0; a < D; ++a) {
-        lower[a] = count_ == 0 ? corner[a] : std::min(lower[a], corner[a]);
-        upper[a] = count_ == 0 ? corner[a] : std::max(upper[a], corner[a]);
-      }
-      ++count_;
-    }
+    for (const Point<D>& corner : corners) box.grow(corner);
+    count_ += corners.size();
   }
   if (count_ == 0) return;
-  cells_.cover(lower, upper, {}, reach, count_);
+  cells_.cover(box.lower, box.upper, {}, reach, count_);
   cells_.sort(count_, [&](auto&& add) {
     for (const std::vector<Point<D>>& corners : blocks) {
       for (const Point<D>& corner : corners) add(Site<double, D>{corner, 0});

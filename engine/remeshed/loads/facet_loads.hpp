@@ -63,8 +63,8 @@ class FacetLoads {
                         const std::array<InitialFace<D>, D>& at_corners) const {
     constexpr double least_sine = 0.5;
     std::array<InitialFace<D>, D> faces = {};
-    std::array<Point<D>, D> directions =
-        {};  // unit vectors that span the plane of the normals so far
+    // Unit vectors that span the plane of the normals so far.
+    std::array<Point<D>, D> directions = {};
     int count = 0;
     const auto add = [&](const InitialFace<D>& face) {
       Point<D> rest = face.normal;
