@@ -128,7 +128,6 @@ void BodyForces<T, D>::apply_shear(int block, int stage) {
       power += patch.represented * force[a] * current.get(Field::velocity, a)[share.slot];
       next.get(Field::velocity, a)[share.slot] +=
           static_cast<T>(share_of_step * force[a] / mass[share.slot]);
-      impulse_[block][a] += duration * force[a];
     }
   }
   of_block_[block].load_work += duration * power;

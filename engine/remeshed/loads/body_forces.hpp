@@ -57,7 +57,7 @@ class BodyForces {
   /// Adds the work of the step to the state, block by block, and adapts the damping rate to the
   /// motion.
   void fold();
-  /// [block] impulse of the step [N s].
+  /// [block] impulse of gravity and damping in the step [N s].
   const std::vector<Point<D>>& impulse() const { return impulse_; }
   /// [block][stage] of the step; zero mass if none acts.
   const std::vector<std::array<ForceOnBlock<D>, 4>>& forces() const { return forces_; }

@@ -160,9 +160,9 @@ LoadsOnBlock<D> loads_on_block(const Body<T, D>& body, int block, int stage,
     for (const FacetCorner<D>& corner : facet.corners) {
       velocity += between<T, D>(state, Field::velocity, corner) / D;
     }
-    const PlaceVector<D> force = force_at_stage(body, facet, stage, values).normal;
-    for (int a = 0; a < D; ++a) loads.force[a] += force[a];
-    loads.power += force.dot(velocity);
+    const FacetForce<D> force = force_at_stage(body, facet, stage, values);
+    for (int a = 0; a < D; ++a) loads.force[a] += force.normal[a] + force.shear[a];
+    loads.power += force.normal.dot(velocity);
   }
   return loads;
 }
