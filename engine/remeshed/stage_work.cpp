@@ -1,6 +1,7 @@
 #include "engine/remeshed/stage_work.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/surface_records.hpp"
@@ -47,8 +48,12 @@ void StageWork<T, D>::prepare(double time_step) {
   for (std::size_t w = 0; w < is_watched_.size(); ++w) {
     if (!state_.boundaries.walls[w].is_attached()) is_watched_[w] = 0;
   }
-  needs_momentum_ = std::ranges::any_of(
-      lone_walls_.along(), [this](int wall) { return wall >= 0 && is_watched_[wall] != 0; });
+  for (int a = 0; a < D; ++a) {
+    for (const int wall : lone_walls_.together_along(a)) is_watched_[wall] = 1;
+  }
+  const auto is_watched = [this](int wall) { return wall >= 0 && is_watched_[wall] != 0; };
+  needs_momentum_ =
+      lone_walls_.are_any_together() || std::ranges::any_of(lone_walls_.along(), is_watched);
   if (needs_momentum_) lone_walls_.prepare(time_step);
   for (std::size_t w = 0; w < is_watched_.size(); ++w) {
     if (lone_walls_.have_all_of(static_cast<int>(w))) is_watched_[w] = 0;
@@ -162,12 +167,37 @@ void StageWork<T, D>::add_lone_walls() {
   const Point<D> impulse = lone_walls_.impulse(particles_.body_force_impulse());
   for (int a = 0; a < D; ++a) {
     const int wall = lone_walls_.along()[a];
-    if (wall < 0) continue;
-    state_.wall_impulse[wall][a] += impulse[a];
-    for (int stage = 0; stage < 4; ++stage) {
-      const double velocity = boundary_values_[stage].wall_velocity[wall][a];
-      state_.energy.wall_work += stage_weight[stage] * impulse[a] * velocity;
-    }
+    if (wall >= 0) add_impulse_along(a, wall, impulse[a]);
+    if (!lone_walls_.together_along(a).empty()) share_rest(a, impulse[a]);
+  }
+}
+
+// What the forces of several walls by (RP.65) lack of their sum by (RP.105), in proportion to them.
+template <class T, int D>
+void StageWork<T, D>::share_rest(int axis, double impulse) {
+  const std::vector<int>& acting = lone_walls_.together_along(axis);
+  const std::size_t walls = state_.wall_impulse.size();
+  std::vector<double> given(acting.size(), 0);
+  for (std::size_t first = 0; first < impulse_.size(); first += walls) {
+    for (std::size_t k = 0; k < acting.size(); ++k) given[k] += impulse_[first + acting[k]][axis];
+  }
+  double rest = impulse, size = 0;
+  for (const double one : given) {
+    rest -= one;
+    size += std::abs(one);
+  }
+  if (size == 0) return;
+  for (std::size_t k = 0; k < acting.size(); ++k) {
+    add_impulse_along(axis, acting[k], rest * std::abs(given[k]) / size);
+  }
+}
+
+template <class T, int D>
+void StageWork<T, D>::add_impulse_along(int axis, int wall, double impulse) {
+  state_.wall_impulse[wall][axis] += impulse;
+  for (int stage = 0; stage < 4; ++stage) {
+    const double velocity = boundary_values_[stage].wall_velocity[wall][axis];
+    state_.energy.wall_work += stage_weight[stage] * impulse * velocity;
   }
 }
 

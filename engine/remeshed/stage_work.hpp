@@ -25,7 +25,7 @@ class StageWork {
         settings_(settings),
         kernels_(kernels),
         particles_(state, settings, kernels),
-        lone_walls_(state, settings),
+        lone_walls_(state, settings, measured_walls(settings)),
         is_measured_(measured_walls(settings)) {}
 
   void prepare_blocks() { results_.reset(state_.blocks, state_.bodies.size()); }
@@ -69,6 +69,8 @@ class StageWork {
  private:
   void fill(int block, int stage, WhichGhosts which, WallWork<T, D>* work);
   void add_lone_walls();
+  void share_rest(int axis, double impulse);
+  void add_impulse_along(int axis, int wall, double impulse);
   static std::vector<char> measured_walls(const Case& settings);
 
   State<T, D>& state_;
@@ -85,7 +87,7 @@ class StageWork {
   std::vector<std::vector<WallShare>> wall_shares_;  ///< [block] in this step
   std::vector<char> is_measured_;  ///< [wall] whether a measurement needs its force
   std::vector<char> is_watched_;   ///< [wall] whether its ghosts are summed in this step
-  bool needs_momentum_ = false;    ///< whether momentum gives the force of a wall in this step
+  bool needs_momentum_ = false;    ///< whether momentum gives forces of walls in this step
 };
 
 extern template class StageWork<double, 2>;

@@ -1,6 +1,7 @@
 #include "engine/remeshed/loads/lone_walls.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/geometry/plane_across.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
@@ -21,7 +22,8 @@ bool can_act_along(const BoundaryCase& wall, int axis) {
 }  // namespace
 
 template <class T, int D>
-LoneWalls<T, D>::LoneWalls(State<T, D>& state, const Case& settings)
+LoneWalls<T, D>::LoneWalls(State<T, D>& state, const Case& settings,
+                           const std::vector<char>& measured)
     : state_(state), acts_(state.boundaries.walls.size()) {
   along_.fill(-1);
   for (std::size_t b = 0; b < settings.boundaries.size(); ++b) {
@@ -31,10 +33,17 @@ LoneWalls<T, D>::LoneWalls(State<T, D>& state, const Case& settings)
     }
   }
   if (state.boundaries.have_contact() || !settings.contacts.empty()) return;
+  const auto is_measured = [&measured](int wall) { return measured[wall] != 0; };
   for (int a = 0; a < D; ++a) {
-    const auto acts = [a](const std::array<bool, D>& wall) { return wall[a]; };
-    if (std::ranges::count_if(acts_, acts) != 1) continue;
-    along_[a] = static_cast<int>(std::ranges::find_if(acts_, acts) - acts_.begin());
+    std::vector<int> acting;
+    for (std::size_t wall = 0; wall < acts_.size(); ++wall) {
+      if (acts_[wall][a]) acting.push_back(static_cast<int>(wall));
+    }
+    if (acting.size() == 1) {
+      along_[a] = acting.front();
+    } else if (std::ranges::any_of(acting, is_measured)) {
+      together_[a] = std::move(acting);
+    }
   }
 }
 

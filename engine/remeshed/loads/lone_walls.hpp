@@ -9,18 +9,25 @@
 
 namespace pliant::remeshed {
 
-/// Forces of walls from the momentum of the bodies that they hold, (RP.105). Along an axis along
-/// which one wall alone can act on the bodies, that is more accurate than the stress beside it.
+/// Forces of walls from the momentum of the bodies that they hold, (RP.105), which is more accurate
+/// than the stress beside them. It gives the force of one wall that alone can act along an axis,
+/// and the sum of the forces of several.
 template <class T, int D>
 class LoneWalls {
  public:
-  LoneWalls(State<T, D>& state, const Case& settings);
+  /// The forces of `measured` walls are needed.
+  LoneWalls(State<T, D>& state, const Case& settings, const std::vector<char>& measured);
 
   /// [axis] the wall that alone can act along it, or -1.
   const std::array<int, D>& along() const { return along_; }
-  /// Whether there is one along any axis.
+  /// The walls that can act along an axis, if there are several and the force of one is measured.
+  const std::vector<int>& together_along(int axis) const { return together_[axis]; }
+  bool are_any_together() const {
+    return std::ranges::any_of(together_, [](const auto& walls) { return !walls.empty(); });
+  }
+  /// Whether momentum gives a force along any axis.
   bool exist() const {
-    return std::ranges::any_of(along_, [](int wall) { return wall >= 0; });
+    return are_any_together() || std::ranges::any_of(along_, [](int wall) { return wall >= 0; });
   }
   /// Whether momentum gives all components of the force of a wall.
   bool have_all_of(int wall) const;
@@ -29,7 +36,7 @@ class LoneWalls {
   /// Reads a block before a stage, and when the stage has written its state.
   void begin(int block, int stage, const Point<D>& force_of_loads);
   void end(int block, int stage);
-  /// [axis] impulse on the bodies in the step [N s], with [block] that of body forces.
+  /// [axis] impulse of the walls on the bodies in the step [N s], with [block] that of body forces.
   Point<D> impulse(const std::vector<Point<D>>& of_body_forces) const;
 
  private:
@@ -42,6 +49,7 @@ class LoneWalls {
 
   State<T, D>& state_;
   std::vector<std::array<bool, D>> acts_;  ///< [wall][axis]
+  std::array<std::vector<int>, D> together_;
   std::array<int, D> along_;
   double time_step_ = 0;
   std::vector<Change> change_;  ///< [block]

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/remeshed/ghosts/share_in_front_of_walls.hpp"
+#include "engine/remeshed/ghosts/wall_layer.hpp"
 #include "engine/remeshed/ghosts/wall_site.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
 
@@ -30,8 +31,7 @@ double area_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std
   const double covered = covered_share(body.stage[0].get(Field::level_set)[slot] / h, slips);
   if (covered == 0) return 0;
   const double depth = depth_behind_wall<T, D>(body, ghosts, g);
-  const double layer = std::max(0., 1 - std::abs(depth / h - 1));
-  return std::pow(h, D - 1) * layer * covered;
+  return std::pow(h, D - 1) * weight_in_layer<D>(ghosts.normal[g], depth / h) * covered;
 }
 
 // F of (RP.65) around a slot, from the separation of the slots beside it since the remeshing.

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
+#include "tests/engine/remeshed/turned.hpp"
 #include "tests/engine/undeformed/loads.hpp"
 
 // L-shaped bodies, and blocks whose sides go through nodes or bear a load, at an angle to the
@@ -16,62 +16,9 @@
 namespace pliant::test {
 namespace {
 
-/// A turn of the plane.
-class Turned {
- public:
-  explicit Turned(double degrees)
-      : c_(std::cos(degrees * std::numbers::pi / 180)),
-        s_(std::sin(degrees * std::numbers::pi / 180)) {}
-
-  std::string place(double x, double y) const {
-    return fmt::format("{}, {}", x * c_ - y * s_, x * s_ + y * c_);
-  }
-
-  /// The components of a vector of formulas of which the y component is `text`, x is 0.
-  std::string along_y(const std::string& text) const {
-    return fmt::format("\"{}*({})\", \"{}*({})\"", -s_, text, c_, text);
-  }
-
-  /// The coordinates of the body as formulas.
-  std::string x() const { return fmt::format("({}*x + {}*y)", c_, s_); }
-
-  std::string rectangle(double left, double lower, double right, double upper) const {
-    const auto side = [this](double px, double py, double nx, double ny) {
-      return fmt::format("{{ shape = \"half_space\", point = [{}], normal = [{}] }}", place(px, py),
-                         place(nx, ny));
-    };
-    return fmt::format(
-        "{{ shape = \"intersection\", of = [{}, {}, {}, {}, "
-        "{{ shape = \"box\", lower = [-9, -9], upper = [9, 9] }}] }}",
-        side(left, lower, -1, 0), side(right, lower, 1, 0), side(left, lower, 0, -1),
-        side(left, upper, 0, 1));
-  }
-
- private:
-  double c_, s_;
-};
-
-std::string body_of(const std::string& shape) {
-  return fmt::format(R"toml([[body]]
-name = "body"
-material = {{ model = "linear", youngs_modulus = 1000, poissons_ratio = 0.3, density = 1 }}
-geometry = {}
-)toml",
-                     shape);
-}
-
 std::string bracket(const Turned& turned) {
   return fmt::format("{{ shape = \"union\", of = [{}, {}] }}", turned.rectangle(0, 0, 1, 3),
                      turned.rectangle(0, 2, 3, 3));
-}
-
-std::string clamp_below(const Turned& turned) {
-  return fmt::format(R"toml([[boundary]]
-name = "clamp"
-kind = "fixed"
-geometry = {{ shape = "half_space", point = [0, 0], normal = [{}] }}
-)toml",
-                     turned.place(0, 1));
 }
 
 std::string displacements_of(const std::string& point) {
