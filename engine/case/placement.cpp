@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "engine/case/blade_track.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
@@ -75,6 +76,19 @@ bool reaches(const Shape& region, const Shape& body, bool surface_alone, const C
   return false;
 }
 
+/// Distance of a wall from the nearest body that it reaches [m].
+double gap_before(const Shape& wall, const Case& a_case) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (const BodyCase& body : a_case.bodies) {
+    if (!reaches(wall, body.geometry, false, a_case)) continue;
+    const double step =
+        probes_of(bounding_box(body.geometry), a_case.discretisation.spacing, a_case.dimension)
+            .step;
+    gap = std::min(gap, -2 * overlap(wall, body.geometry, step, a_case.dimension));
+  }
+  return gap;
+}
+
 bool reaches_any_body(const Shape& region, bool surface_alone, const Case& a_case) {
   return std::ranges::any_of(a_case.bodies, [&](const BodyCase& body) {
     return reaches(region, body.geometry, surface_alone, a_case);
@@ -100,6 +114,18 @@ bool meets_body(const CutCase& cut, const Case& a_case) {
     }
   }
   return false;
+}
+
+/// Walls hold bodies up to half a spacing away. What happens beyond depends on the method.
+void warn_of_gap(const BoundaryCase& wall, const Case& a_case, std::vector<std::string>& warnings) {
+  constexpr double touching = 0.01;  // [spacings]
+  const double gap = gap_before(wall.geometry, a_case), h = a_case.discretisation.spacing;
+  if (gap < touching * h) return;
+  warnings.push_back(
+      fmt::format("the wall `{}` is {:.2g} spacings ({:.3g} m) away from the nearest body: walls "
+                  "hold bodies up "
+                  "to half a spacing away, and perhaps not beyond; let them touch",
+                  wall.name, gap / h, gap));
 }
 
 /// Bodies with a face in common seem to hold each other.
@@ -160,6 +186,8 @@ std::vector<std::string> placement_warnings(const Case& a_case) {
           "the wall `{}` touches no body at the start, so that it holds nothing; move it, or write "
           "kind = \"contact_wall\" for bodies that meet it later",
           boundary.name));
+    } else if (kind.is_attached) {
+      warn_of_gap(boundary, a_case, warnings);
     } else if (!kind.is_wall && !reaches_any_body(boundary.geometry, true, a_case)) {
       warnings.push_back(fmt::format(
           "the region of `{}` holds no surface of a body at the start, so that it loads "

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -31,18 +32,19 @@ double size_of(const Box<3>& box) {
   return size;
 }
 
-bool is_in_front(const ClosedMesh& mesh, const Plane& plane, double tolerance) {
-  return std::ranges::all_of(mesh.vertices(),
-                             [&](const Vector& x) { return plane.height(x) >= -tolerance; });
+/// Height of the lowest vertex over a plane [m].
+double lowest(const ClosedMesh& mesh, const Plane& plane) {
+  double height = std::numeric_limits<double>::infinity();
+  for (const Vector& x : mesh.vertices()) height = std::min(height, plane.height(x));
+  return height;
 }
 
-/// The face of `wall` on which the mesh stands.
-std::optional<Plane> plane_below(const ClosedMesh& mesh, const Shape& wall, double tolerance) {
-  if (wall.kind == Shape::Kind::half_space) {
-    const Plane plane{wall.point, wall.normal};
-    return is_in_front(mesh, plane, tolerance) ? std::optional(plane) : std::nullopt;
-  }
-  if (wall.kind != Shape::Kind::box) return std::nullopt;
+/// The face of `wall` on which the mesh stands: of a box, that which is the least inside the mesh.
+std::optional<Plane> face_below(const ClosedMesh& mesh, const Shape& wall) {
+  if (wall.kind == Shape::Kind::half_space) return Plane{wall.point, wall.normal};
+  std::optional<Plane> face;
+  if (wall.kind != Shape::Kind::box) return face;
+  double highest = -std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool upper : {false, true}) {
       const double end = upper ? wall.upper[axis] : wall.lower[axis];
@@ -50,10 +52,13 @@ std::optional<Plane> plane_below(const ClosedMesh& mesh, const Shape& wall, doub
       Plane plane{{}, {}};
       plane.point[axis] = end;
       plane.normal[axis] = upper ? 1 : -1;
-      if (is_in_front(mesh, plane, tolerance)) return plane;
+      const double height = lowest(mesh, plane);
+      if (height <= highest) continue;
+      highest = height;
+      face = plane;
     }
   }
-  return std::nullopt;
+  return face;
 }
 
 /// Whether a box extends as far as `x` along all axes; true for half-spaces.
@@ -110,13 +115,17 @@ Vector mirrored(const Vector& x, const Plane& plane) {
 
 }  // namespace
 
-std::shared_ptr<const ClosedMesh> continued_through(const ClosedMesh& mesh, const Shape& wall) {
-  const double tolerance = rounding * size_of(mesh.bounds());
-  const std::optional<Plane> plane = plane_below(mesh, wall, tolerance);
+std::shared_ptr<const ClosedMesh> continued_through(const ClosedMesh& mesh, const Shape& wall,
+                                                    double gap) {
+  const double tolerance = rounding * size_of(mesh.bounds()), farthest = std::max(gap, tolerance);
+  std::optional<Plane> plane = face_below(mesh, wall);
   if (!plane) return nullptr;
+  const double height = lowest(mesh, *plane);
+  if (height > farthest) return nullptr;
+  for (int a = 0; a < 3; ++a) plane->point[a] += height * plane->normal[a];
   const FlatSide side(mesh, *plane, tolerance);
   const SurfaceMesh whole{mesh.vertices(), mesh.triangles()};
-  if (side.is_empty() || !side.is_covered(mesh, wall, tolerance) || side.has_loose_edges(whole)) {
+  if (side.is_empty() || !side.is_covered(mesh, wall, farthest) || side.has_loose_edges(whole)) {
     return nullptr;
   }
   SurfaceMesh joined{whole.vertices, {}};

@@ -16,10 +16,11 @@
 ///             |
 namespace pliant {
 
-/// `body` with every box face that lies against a face of one of `walls` (a half-space or a box)
-/// moved to infinity. A face that a wall covers in part is extended over that part. A half-space
-/// that cuts the body in the plane of a wall is ignored. A mesh whose flat side lies on a wall is
-/// joined there, along the rim of that side, to its mirror image.
-Shape free_surface(const Shape& body, std::span<const Shape> walls, int dimension);
+/// `body` with every box face that lies against a face of one of `walls` (a half-space or a box),
+/// or inside the wall, moved to infinity. A face that a wall covers in part is extended over that
+/// part. A half-space that cuts the body in the plane of a wall, or inside it, is ignored. A mesh
+/// whose flat side lies there is joined, along the rim of that side, to its mirror image. Faces lie
+/// against a wall up to a distance of `gap` [m].
+Shape free_surface(const Shape& body, std::span<const Shape> walls, int dimension, double gap = 0);
 
 }  // namespace pliant

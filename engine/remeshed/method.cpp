@@ -12,7 +12,9 @@
 #include "engine/method/gravity.hpp"
 #include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/parameters.hpp"
+#include "engine/remeshed/setup/deep_walls.hpp"
 #include "engine/remeshed/setup/footprint.hpp"
+#include "engine/remeshed/setup/particle_kinds.hpp"
 #include "engine/remeshed/solver.hpp"
 #include "engine/remeshed/step_limits.hpp"
 
@@ -135,6 +137,16 @@ constexpr double error_of_slender_bodies = 0.0115;
 constexpr std::string_view error_at_reentrant_corners =
     "loads bend it there up to 15 % too far, and vibrations gain or lose energy there";
 
+void warn_of_thin_walls(const Case& a_case, std::vector<std::string>& warnings) {
+  for (const BoundaryCase& boundary : a_case.boundaries) {
+    if (!is_too_thin(a_case, boundary)) continue;
+    warnings.push_back(fmt::format(
+        "the wall `{}` is less than {:.2g} spacings thick, and there are bodies on both sides of "
+        "it: they may pass through it; make it thicker or use a finer spacing",
+        boundary.name, ghost_band));
+  }
+}
+
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
   std::span<const ThinBodyError> errors = errors_of_thin_bodies;
   if (!has_boundary(a_case, BoundaryCase::Kind::traction)) errors = errors.first<3>();
@@ -142,6 +154,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   if (has_loads(a_case)) warn_of_slender_bodies(a_case, error_of_slender_bodies, warnings);
   warn_of_reentrant_corners(a_case, error_at_reentrant_corners, warnings);
   warn_of_resting_bodies(a_case, warnings);
+  warn_of_thin_walls(a_case, warnings);
 }
 
 std::string remeshings(const Case& a_case) {

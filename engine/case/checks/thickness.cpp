@@ -127,7 +127,8 @@ void warn_of(const Case& a_case, std::span<const ThinBodyError> errors, const Le
 
 double thickness(const Case& a_case, const BodyCase& body) {
   const int dimension = a_case.dimension;
-  const Shape open = free_surface(body.geometry, ends_of_bodies(a_case), dimension);
+  const Shape open = free_surface(body.geometry, ends_of_bodies(a_case), dimension,
+                                  a_case.discretisation.spacing / 2);
   return 2 * largest(body, dimension,
                      [&](const Vector& x) { return -signed_distance(open, x, dimension); });
 }
@@ -194,7 +195,8 @@ void warn_of_reentrant_corners(const Case& a_case, std::string_view deviation,
   const std::vector<Shape> ends = ends_of_bodies(a_case);
   for (const BodyCase& body : a_case.bodies) {
     if (contains_mesh(body.geometry)) continue;
-    const Shape open = free_surface(body.geometry, ends, a_case.dimension);
+    const Shape open =
+        free_surface(body.geometry, ends, a_case.dimension, a_case.discretisation.spacing / 2);
     if (!has_reentrant_corner(open, body.geometry, a_case.dimension,
                               a_case.discretisation.spacing)) {
       continue;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <span>
 
-#include "engine/boundaries/attached_walls.hpp"
-#include "engine/geometry/free_surface.hpp"
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/level_set/initial_surface.hpp"
 #include "engine/remeshed/loads/shear_patches.hpp"
@@ -71,7 +69,7 @@ Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundar
                            const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers,
                            Outside outside)
     : body_(body),
-      initial_surface_(free_surface(body.source->geometry, attached_walls(settings), D)),
+      initial_surface_(initial_surface(settings, *body.source)),
       boundaries_(boundaries),
       kernels_(kernels),
       parameters_(parameters_of(settings)),

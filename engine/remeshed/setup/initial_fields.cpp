@@ -14,13 +14,32 @@
 
 namespace pliant::remeshed {
 
+Shape initial_surface(const Case& settings, const BodyCase& body) {
+  constexpr double farthest = 0.5;  // [h] of walls that hold a face
+  const std::vector<Shape> walls = attached_walls(settings);
+  return free_surface(body.geometry, walls, settings.dimension,
+                      farthest * settings.discretisation.spacing);
+}
+
+namespace {
+
+/// Whether x is behind the walls, and not only in the part of them that holds ghosts.
+bool is_beyond(const Box<3>& body, const Vector& x, int dimension, double h) {
+  for (int a = 0; a < dimension; ++a) {
+    if (x[a] < body.lower[a] - (ghost_band + 1) * h) return true;
+    if (x[a] > body.upper[a] + (ghost_band + 1) * h) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 template <class T, int D>
 bool set_initial_fields(const Case& settings, Body<T, D>& body, T* valid) {
   const BodyCase& source = *body.source;
   const double h = body.lattice.spacing;
   const double limit = LevelSet<T, D>::far * h;
-  const std::vector<Shape> walls = attached_walls(settings);
-  const Shape surface = free_surface(source.geometry, walls, D);
+  const Shape surface = initial_surface(settings, source);
   FieldStore<T, D>& state = body.stage[1];
   const T volume = static_cast<T>(std::pow(h, D));
   const bool deforms = body.material.model == kernels::Model::reduced_polynomial;
@@ -28,10 +47,11 @@ bool set_initial_fields(const Case& settings, Body<T, D>& body, T* valid) {
   for (int a = 0; a < D; ++a) volume_ratio *= static_cast<T>(source.stretch[a]);
   bool has_surface = false;
   DistanceWalk distance(surface, D, limit);
+  const Box<3> box = bounding_box(source.geometry);
   for (const Block<D>& block : body.spare.layout.blocks()) {
     body.spare.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& at) {
       const Vector x = padded<D>(body.lattice.node(body.lattice.wrapped(at)));
-      const double phi = distance(x);
+      const double phi = is_beyond(box, x, D, h) ? limit : distance(x);
       state.get(Field::level_set)[p] = static_cast<T>(std::clamp(phi, -limit, limit));
       has_surface = has_surface || phi > -limit;
       valid[p] = phi < ghost_band * h ? T(1) : T(0);

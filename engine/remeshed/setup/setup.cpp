@@ -5,6 +5,7 @@
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/method/gravity.hpp"
 #include "engine/remeshed/parameters.hpp"
+#include "engine/remeshed/setup/deep_walls.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::remeshed {
@@ -52,7 +53,7 @@ void set_up(const Case& settings, const BodyCase& source, bool bears_loads, Body
 
 template <class T, int D>
 State<T, D> make_state(const Case& settings) {
-  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}, {}, {}, {}};
+  State<T, D> state{{}, Boundaries<D>(with_deep_walls(settings)), {}, {}, {}, {}, {}, {}, {}};
   state.clock.damping = settings.discretisation.damping.value_or(0);
   state.wall_impulse.resize(state.boundaries.walls.size());
   state.contact_impulse.resize(settings.contacts.size());

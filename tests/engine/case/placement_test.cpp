@@ -49,6 +49,24 @@ TEST(placement, a_wall_that_touches_no_body_holds_nothing) {
             "write kind = \"contact_wall\" for bodies that meet it later");
 }
 
+// The block begins at x = 0.
+TEST(placement, a_gap_before_a_wall_is_mentioned) {
+  const auto gap = [](double spacings) {
+    return warning(boundary(
+        "kind = \"fixed\"",
+        fmt::format("shape = \"half_space\", point = [{}, 0], normal = [1, 0]", -0.1 * spacings)));
+  };
+  EXPECT_EQ(gap(0), "");
+  EXPECT_EQ(gap(0.001), "");
+  EXPECT_EQ(gap(-0.5), "");
+  const std::string there = gap(0.3);
+  EXPECT_TRUE(there.starts_with("the wall `it` is 0.3 spacings (")) << there;
+  EXPECT_TRUE(
+      there.ends_with(" m) away from the nearest body: walls hold bodies up to half a "
+                      "spacing away, and perhaps not beyond; let them touch"))
+      << there;
+}
+
 TEST(placement, a_region_without_a_surface_loads_nothing) {
   const std::string expected =
       "the region of `it` holds no surface of a body at the start, so that it loads nothing; let "

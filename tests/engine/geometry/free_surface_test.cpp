@@ -65,6 +65,21 @@ TEST(free_surface, planes_match_to_rounding) {
   EXPECT_EQ(open.upper[1], infinity);
 }
 
+// A gap of less than half a spacing, or a face inside the wall, is no free surface.
+TEST(free_surface, faces_near_walls_and_inside_them_are_open) {
+  for (const double place : {1.04, 0.9, 0.2}) {
+    const std::vector<Shape> wall{half_space({0, place, 0}, {0, -1, 0})};
+    EXPECT_EQ(free_surface(block, wall, 2, 0.05).upper[1], infinity) << place;
+    const Shape cut = combine(Shape::Kind::intersect,
+                              {half_space({0, 1, 0}, {0, 1, 0}), box({-0.5, -1, 0}, {0.5, 9, 0})});
+    EXPECT_EQ(free_surface(cut, wall, 2, 0.05).upper[1], infinity) << place;
+  }
+  const std::vector<Shape> far{half_space({0, 1.06, 0}, {0, -1, 0})};
+  EXPECT_EQ(free_surface(block, far, 2, 0.05).upper[1], 1);
+  const std::vector<Shape> core{box({-0.5, 0.4, 0}, {0.5, 0.6, 0})};
+  EXPECT_EQ(free_surface(block, core, 2, 0.05).upper[1], 1);
+}
+
 // The notch touches the wall, so it too continues through the wall.
 TEST(free_surface, parts_of_a_combination_are_opened_alike) {
   const Shape notched = combine(Shape::Kind::subtract, {block, box({-0.1, 0.5, 0}, {0.1, 1, 0})});
@@ -86,7 +101,7 @@ TEST(free_surface, half_spaces_that_cut_a_body_at_walls_cut_nothing_off) {
       EXPECT_EQ(distance(half, walls, x), signed_distance(disc, x, 2));
     }
     // A wall in another plane, or one with the body on its other side, changes nothing.
-    for (const Shape& wall : {half_space({0.1, 0, 0}, oblique), half_space({0, 0, 0}, back)}) {
+    for (const Shape& wall : {half_space({-0.1, 0, 0}, oblique), half_space({0, 0, 0}, back)}) {
       const Vector x = {-0.3, -0.4, 0};
       EXPECT_EQ(distance(half, {wall}, x), signed_distance(half, x, 2));
     }
@@ -106,12 +121,22 @@ TEST(free_surface, a_mesh_runs_on_through_walls_on_which_its_flat_sides_lie) {
   }
 }
 
-// Walls that the mesh crosses, that it does not reach, or that do not cover its side.
+// The side is at z = 0.
+TEST(free_surface, a_mesh_runs_on_through_walls_that_it_crosses_or_nearly_reaches) {
+  const Shape mesh = mesh_shape(box_mesh({0, 0, 0}, {1, 2, 3}));
+  for (const double place : {0.5, -0.04}) {
+    const std::vector<Shape> wall{half_space({0, 0, place}, {0, 0, 1})};
+    const Shape open = free_surface(mesh, wall, 3, 0.05);
+    EXPECT_NEAR(signed_distance(open, {0.1, 1, -1}, 3), -0.1, 1e-14) << place;
+  }
+}
+
+// Walls that it does not reach, or that do not cover its side.
 TEST(free_surface, a_mesh_without_a_flat_side_on_a_wall_keeps_its_surface) {
   const Shape mesh = mesh_shape(box_mesh({0, 0, 0}, {1, 2, 3}));
-  const std::vector<Shape> walls{
-      half_space({0, 0, 0.5}, {0, 0, 1}), half_space({0, 0, -0.1}, {0, 0, 1}),
-      half_space({0, 0, 0}, {0, 0.6, 0.8}), box({0.5, -1, -1}, {2, 3, 0}), ball({0, 0, -1}, 1)};
+  const std::vector<Shape> walls{half_space({0, 0, -0.1}, {0, 0, 1}),
+                                 half_space({0, 0, 0}, {0, 0.6, 0.8}),
+                                 box({0.5, -1, -1}, {2, 3, 0}), ball({0, 0, -1}, 1)};
   EXPECT_EQ(free_surface(mesh, walls, 3).mesh, mesh.mesh);
 }
 
