@@ -111,7 +111,9 @@ void warn_of_resting_bodies(const Case& a_case, std::vector<std::string>& warnin
   const bool has_pistons = std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& boundary) {
     return boundary.displacement || boundary.kind == BoundaryCase::Kind::moving_wall;
   });
-  if (a_case.contacts.empty() || (!has_loads(a_case) && !has_pistons)) return;
+  const auto may_open = [](const ContactCase& contact) { return contact.law != ContactLaw::tied; };
+  if (std::ranges::none_of(a_case.contacts, may_open)) return;
+  if (!has_loads(a_case) && !has_pistons) return;
   warnings.emplace_back(
       a_case.discretisation.damping
           ? "if bodies rest on each other or are pressed together, the run may stop unless "
@@ -120,6 +122,21 @@ void warn_of_resting_bodies(const Case& a_case, std::vector<std::string>& warnin
           : "if bodies rest on each other, the lower one passes on up to 6 % too little of their "
             "weight, and where walls press bodies together the run may stop; take method = "
             "\"total_lagrangian\" for bodies that stay in contact");
+}
+
+// Measured for blocks that an inclined interface cuts, docs/decisions/0072.
+void warn_of_inclined_ties(const Case& a_case, std::vector<std::string>& warnings) {
+  const auto is_box = [&](int body) {
+    return a_case.bodies[body].geometry.kind == Shape::Kind::box;
+  };
+  for (const ContactCase& contact : a_case.contacts) {
+    if (contact.law != ContactLaw::tied || std::ranges::all_of(contact.bodies, is_box)) continue;
+    warnings.push_back(fmt::format(
+        "bodies `{}` and `{}` are tied, and are not both boxes: where their joint lies at an angle "
+        "to the lattice, they bend by up to 30 % too much or too little; take method = "
+        "\"total_lagrangian\" for bodies that keep their neighbours",
+        a_case.bodies[contact.bodies[0]].name, a_case.bodies[contact.bodies[1]].name));
+  }
 }
 
 // Measured for plates, rings, discs and blocks under pistons with the defaults; bodies that only
@@ -154,6 +171,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   if (has_loads(a_case)) warn_of_slender_bodies(a_case, error_of_slender_bodies, warnings);
   warn_of_reentrant_corners(a_case, error_at_reentrant_corners, warnings);
   warn_of_resting_bodies(a_case, warnings);
+  warn_of_inclined_ties(a_case, warnings);
   warn_of_thin_walls(a_case, warnings);
 }
 

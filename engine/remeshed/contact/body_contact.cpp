@@ -114,15 +114,20 @@ auto BodyContact<T, D>::interaction(const Body<T, D>& own, const Body<T, D>& oth
         other.records.get() + static_cast<std::int64_t>(contact_points.record[i]) * width;
     for (int f = 0; f < width; ++f) sum[f] += contact_points.coefficient[i] * record[f];
   }
-  // A tie ignores the level sets: their errors at its ends would shake it.
-  const double speed = contact.law == ContactLaw::tied
-                           ? 0
-                           : std::min<double>(kernels::wave_speed_at_rest(own.material),
-                                              kernels::wave_speed_at_rest(other.material));
+  const double speed = std::min<double>(kernels::wave_speed_at_rest(own.material),
+                                        kernels::wave_speed_at_rest(other.material));
+  const double distance = closing_time * own.lattice.spacing;
   const kernels::GhostFits<T, D> fits = present.of(g);
   auto n = kernels::unit_normal<T, D>(fits.linear);
   T share = 1;  // of the traction on the plane of the contact, on the surface with the normal n
-  if (contact.law != ContactLaw::tied) {
+  kernels::VectorOf<T, D> returning = {};
+  double closing = 0;
+  if (contact.law == ContactLaw::tied) {
+    // A tie ignores the level sets: their errors at its ends would shake it.
+    for (int a = 0; a < D; ++a)
+      returning[a] = static_cast<T>(direction.parted[a] * speed / distance);
+  } else {
+    closing = contact_points.gap[point] * speed / distance;
     share = 0;
     for (int a = 0; a < D; ++a) {
       const T of_contact = static_cast<T>(direction.normal[a]);
@@ -133,10 +138,9 @@ auto BodyContact<T, D>::interaction(const Body<T, D>& own, const Body<T, D>& oth
   }
   const kernels::SurfaceLoad<T, D> load = kernels::interface_traction<T, D>(
       {fits.surface, kernels::Impedance<T>(own.material)},
-      {{sum.data()}, kernels::Impedance<T>(other.material)}, n,
-      static_cast<T>(contact_points.gap[point] * speed / (closing_time * own.lattice.spacing)),
+      {{sum.data()}, kernels::Impedance<T>(other.material)}, n, static_cast<T>(closing),
       converted(contact.law), static_cast<T>(contact.friction),
-      contact_points.gap[point] < touching_gap * own.lattice.spacing);
+      contact_points.gap[point] < touching_gap * own.lattice.spacing, returning);
   Interaction result{{}, 0};
   for (int a = 0; a < D; ++a) {
     result.traction[a] = share * (load.normal * load.n[a] + load.shear[a]);

@@ -114,7 +114,7 @@ auto ContactSearch<T, D>::look(int contact, int owner, const GhostPlace& ghost,
   FacingSurfaces<D> faces;
   if (!find_faces(owner, other, found.place, faces) || faces.cover == 0) return found;
   if (faces.gap < leaving_gap * h) found.gap = faces.gap;
-  found.direction = {faces.normal, faces.cover};
+  found.direction = {faces.normal, faces.cover, {}};
   return found;
 }
 
@@ -143,9 +143,14 @@ void ContactSearch<T, D>::add_contact_point(int block, std::int32_t ghost,
   BlockGhosts<T, D>& ghosts = body.population.ghosts[local];
   const double h = body.lattice.spacing;
   const std::int32_t slot = ghosts.slot[ghost];
-  const GhostPlace place = {body.position(slot, body.population.layout.cell(slot)),
-                            foot_point(body, ghosts, ghost),
-                            body.stage[0].get(Field::level_set)[slot] / h};
+  const FieldStore<T, D>& start = body.stage[0];
+  // The foot point moves with the particles of its fit.
+  const Point<D> moved = at_foot(
+      body, ghosts, ghost, [&](std::int64_t p, int a) { return start.get(Field::drift, a)[p]; });
+  Point<D> foot = ghosts.foot[ghost];
+  for (int a = 0; a < D; ++a) foot[a] += moved[a];
+  const GhostPlace place = {body.position(slot, body.population.layout.cell(slot)), foot,
+                            start.get(Field::level_set)[slot] / h};
   Found nearest{-1, apart, {}, {}};
   for (const int contact : contacts_of_[owner]) {
     const Found found = look(contact, owner, place, opposing);
@@ -154,8 +159,16 @@ void ContactSearch<T, D>::add_contact_point(int block, std::int32_t ghost,
   if (nearest.contact < 0) return;
   const int other = other_body(nearest.contact, owner);
   ContactPoints<T, D>& points = ghosts.contact_points;
-  if (!opposing.add_to(points, surfaces()[other], state_.bodies[other].lattice, nearest.place)) {
-    return;
+  const auto displacement =
+      opposing.add_to(points, surfaces()[other], state_.bodies[other].lattice, nearest.place);
+  if (!displacement) return;
+  if (contacts_[nearest.contact].law == ContactLaw::tied) {
+    const Point<D> before = at_foot(body, ghosts, ghost, [&](std::int64_t p, int a) {
+      return start.get(Field::displacement, a)[p];
+    });
+    for (int a = 0; a < D; ++a) {
+      nearest.direction.parted[a] = (*displacement)[a] - before[a] - moved[a];
+    }
   }
   directions_[block].push_back(nearest.direction);
   points.ghost.push_back(ghost);
@@ -164,19 +177,18 @@ void ContactSearch<T, D>::add_contact_point(int block, std::int32_t ghost,
   points.area.push_back(static_cast<T>(std::pow(h, D - 1) * surface_share<D>(place.distance)));
 }
 
-// The foot point moves with the particles of its fit.
 template <class T, int D>
-Point<D> ContactSearch<T, D>::foot_point(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
-                                         std::int32_t ghost) const {
-  Point<D> x = ghosts.foot[ghost];
+template <class F>
+Point<D> ContactSearch<T, D>::at_foot(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
+                                      std::int32_t ghost, F&& value) const {
+  Point<D> sum = {};
   for (int a = 0; a < D; ++a) {
-    const T* drift = body.stage[0].get(Field::drift, a);
     for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
-      x[a] += fit_coefficient<T, D>(ghosts, ghost, k, ghosts.terms[ghost].surface) *
-              drift[body.population.slot_of_record[kernels::record_of(ghosts.pairs[k])]];
+      sum[a] += fit_coefficient<T, D>(ghosts, ghost, k, ghosts.terms[ghost].surface) *
+                value(body.population.slot_of_record[kernels::record_of(ghosts.pairs[k])], a);
     }
   }
-  return x;
+  return sum;
 }
 
 template class ContactSearch<double, 2>;

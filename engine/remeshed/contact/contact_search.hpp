@@ -17,6 +17,7 @@ template <int D>
 struct ContactDirection {
   Point<D> normal;  ///< unit vector from the own body to the other one
   double cover;     ///< share of the surface that the other body covers
+  Point<D> parted;  ///< of tied bodies: how far the other one has moved away since t = 0 [m]
 };
 
 /// Finds where bodies touch, (RP.58), at the start of each step: the ghosts whose foot points lie
@@ -32,7 +33,7 @@ class ContactSearch {
     directions_.resize(state_.blocks.size());
   }
   void add_phases(std::vector<scheduler::Phase>& phases);
-  /// [contact point] of a block; without meaning for ties.
+  /// [contact point] of a block; normal and cover have no meaning for ties.
   const std::vector<ContactDirection<D>>& directions(int block) const { return directions_[block]; }
 
  private:
@@ -58,8 +59,10 @@ class ContactSearch {
   Found look(int contact, int owner, const GhostPlace& ghost, OpposingFit<T, D>& opposing) const;
   bool find_faces(int owner, int other, Point<D>& x, FacingSurfaces<D>& faces) const;
   void add_contact_point(int block, std::int32_t ghost, OpposingFit<T, D>& opposing);
-  Point<D> foot_point(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
-                      std::int32_t ghost) const;
+  /// A vector field of the particles of a ghost's fit at its foot point; value(slot, axis).
+  template <class F>
+  Point<D> at_foot(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::int32_t ghost,
+                   F&& value) const;
 
   State<T, D>& state_;
   const std::vector<ContactCase>& contacts_;

@@ -18,17 +18,21 @@ double OpposingFit<T, D>::gap(const SurfaceSamples<D>& surface, const Lattice<D>
 }
 
 template <class T, int D>
-bool OpposingFit<T, D>::add_to(ContactPoints<T, D>& contact_points,
-                               const SurfaceSamples<D>& surface, const Lattice<D>& lattice,
-                               const Point<D>& x) {
+std::optional<Point<D>> OpposingFit<T, D>::add_to(ContactPoints<T, D>& contact_points,
+                                                  const SurfaceSamples<D>& surface,
+                                                  const Lattice<D>& lattice, const Point<D>& x) {
   gather(surface, place<D>(x, lattice), false);
-  if (!fit()) return false;
+  if (!fit()) return std::nullopt;
+  Point<D> displacement = {};
   for (const FitParticle<D>& i : around_) {
     contact_points.record.push_back(surface.record[i.slot]);
     contact_points.coefficient.push_back(static_cast<T>(coefficient(i)));
+    for (int a = 0; a < D; ++a) {
+      displacement[a] += coefficient(i) * surface.displacement[i.slot][a];
+    }
   }
   contact_points.begin.push_back(static_cast<std::int64_t>(contact_points.record.size()));
-  return true;
+  return displacement;
 }
 
 template <class T, int D>

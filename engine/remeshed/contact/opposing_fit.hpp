@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/remeshed/contact/surface_samples.hpp"
@@ -19,10 +20,11 @@ class OpposingFit {
   /// little of the body.
   double gap(const SurfaceSamples<D>& surface, const Lattice<D>& lattice, const Point<D>& x);
 
-  /// Adds the fit of the body's surface particles at x to `contact_points`; false if they do not
-  /// determine it.
-  bool add_to(ContactPoints<T, D>& contact_points, const SurfaceSamples<D>& surface,
-              const Lattice<D>& lattice, const Point<D>& x);
+  /// Adds the fit of the body's surface particles at x to `contact_points`, and gives their
+  /// displacement there [m]; none if they do not determine it.
+  std::optional<Point<D>> add_to(ContactPoints<T, D>& contact_points,
+                                 const SurfaceSamples<D>& surface, const Lattice<D>& lattice,
+                                 const Point<D>& x);
 
  private:
   void gather(const SurfaceSamples<D>& surface, const Point<D>& at, bool with_ghosts);

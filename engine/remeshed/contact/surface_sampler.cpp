@@ -44,7 +44,7 @@ void SurfaceSampler<T, D>::find_samples(int block) {
   const double h = body.lattice.spacing;
   const T* phi = body.stage[0].get(Field::level_set);
   const auto add = [&](std::int64_t slot, const Cell<D>& cell, std::int32_t record) {
-    Sample sample{{{}, 0}, record, phi[slot] / h, {}};
+    Sample sample{{{}, 0}, record, phi[slot] / h, {}, {}};
     if (record >= 0) {
       const kernels::RecordSum<T, D> particle{
           body.records.get() + static_cast<std::int64_t>(record) * kernels::record_width<D>};
@@ -52,6 +52,7 @@ void SurfaceSampler<T, D>::find_samples(int block) {
     }
     for (int a = 0; a < D; ++a) {
       const T drift = body.stage[0].get(Field::drift, a)[slot];
+      sample.displacement[a] = body.stage[0].get(Field::displacement, a)[slot] + drift;
       sample.site.position[a] = in_first_period<D>(cell[a] + drift / h, body.lattice, a);
     }
     samples.push_back(sample);
@@ -102,6 +103,7 @@ void SurfaceSampler<T, D>::gather(int body) {
   surface.record.clear();
   surface.level_set.clear();
   surface.gradient.clear();
+  surface.displacement.clear();
   for (std::size_t b = 0; b < samples_.size(); ++b) {
     if (state_.blocks[b].body != body) continue;
     for (Sample& sample : samples_[b]) {
@@ -109,6 +111,7 @@ void SurfaceSampler<T, D>::gather(int body) {
       surface.record.push_back(sample.record);
       surface.level_set.push_back(sample.level_set);
       surface.gradient.push_back(sample.gradient);
+      surface.displacement.push_back(sample.displacement);
       for (int a = 0; a < D; ++a) {
         surface.lower[a] = std::min(surface.lower[a], sample.site.position[a]);
         surface.upper[a] = std::max(surface.upper[a], sample.site.position[a]);

@@ -29,8 +29,9 @@ class SurfaceSampler {
   struct Sample {
     Site<double, D> site;  ///< its label is the number among all samples of the body
     std::int32_t record;
-    double level_set;   ///< [h]
-    Point<D> gradient;  ///< of phi, (RP.61), of a particle
+    double level_set;       ///< [h]
+    Point<D> gradient;      ///< of phi, (RP.61), of a particle
+    Point<D> displacement;  ///< since t = 0 [m]
   };
 
   void find_samples(int block);

@@ -28,12 +28,13 @@ Point<D> place(const Point<D>& x, const Lattice<D>& lattice) {
 /// The surface particles and ghosts of a body at the start of a step.
 template <int D>
 struct SurfaceSamples {
-  Point<D> lower, upper;             ///< of the places of sites
-  std::vector<std::int32_t> record;  ///< [sample] of a particle; -1: a ghost
-  std::vector<double> level_set;     ///< [sample] [h]
-  std::vector<Point<D>> gradient;    ///< [sample] of phi, of a particle
-  CellList<double, D> cells;         ///< the label of a site is the number of its sample
-  bool is_near_another = false;      ///< another body that it may touch
+  Point<D> lower, upper;               ///< of the places of sites
+  std::vector<std::int32_t> record;    ///< [sample] of a particle; -1: a ghost
+  std::vector<double> level_set;       ///< [sample] [h]
+  std::vector<Point<D>> gradient;      ///< [sample] of phi, of a particle
+  std::vector<Point<D>> displacement;  ///< [sample] since t = 0 [m]
+  CellList<double, D> cells;           ///< the label of a site is the number of its sample
+  bool is_near_another = false;        ///< another body that it may touch
 
   /// Whether a place is in the box or within `margin` of it [h].
   bool holds(const Point<D>& at, const Lattice<D>& lattice, double margin) const {

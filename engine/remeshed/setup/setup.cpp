@@ -1,5 +1,6 @@
 #include "engine/remeshed/setup/setup.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/geometry/signed_distance.hpp"
@@ -58,7 +59,9 @@ State<T, D> make_state(const Case& settings) {
   state.wall_impulse.resize(state.boundaries.walls.size());
   state.contact_impulse.resize(settings.contacts.size());
   state.bodies.resize(settings.bodies.size());
-  const bool bears_loads = !state.boundaries.pressures.empty() || Gravity<D>(settings).acts();
+  const auto is_tied = [](const ContactCase& contact) { return contact.law == ContactLaw::tied; };
+  const bool bears_loads = !state.boundaries.pressures.empty() || Gravity<D>(settings).acts() ||
+                           std::ranges::any_of(settings.contacts, is_tied);
   state.motion_budgets.resize(settings.bodies.size());
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     set_up(settings, settings.bodies[b], bears_loads, state.bodies[b]);

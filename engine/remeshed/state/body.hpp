@@ -186,7 +186,7 @@ struct Body {
   const BodyCase* source = nullptr;
   kernels::Material<T> material;  ///< its density includes mass scaling, (RP.87)
   double mass_scaling = 1;        ///< M of (RP.87), included in the masses of the particles
-  bool bears_loads = false;       ///< whether loads or body forces act in the case
+  bool bears_loads = false;       ///< whether loads, body forces or ties act in the case
   bool has_surface = true;  ///< whether it has a surface phi = 0; false if it fills a periodic cell
   Lattice<D> lattice;
   Population<T, D> population, spare;

@@ -52,12 +52,13 @@ VectorOf<T, D> slip_velocity(const RecordSum<T, D>& own, const RecordSum<T, D>& 
 /// (RP.56): the traction on a plane with the normal n, out of `own`. `closing` is the velocity
 /// [m/s] at which the gap between the surfaces is to vanish, negative where they overlap. Surfaces
 /// that do not touch, but did before, push each other as long as their stress shows it. `friction`
-/// is the coefficient of Coulomb's law, used by that kind only.
+/// is the coefficient of Coulomb's law, used by that kind only. `returning` is the velocity [m/s]
+/// at which what was tied and has parted is to return.
 template <class T, int D>
 SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
                                      const InterfaceSide<T, D>& other, const VectorOf<T, D>& n,
                                      T closing, InterfaceKind kind, T friction = 0,
-                                     bool touches = true) {
+                                     bool touches = true, const VectorOf<T, D>& returning = {}) {
   VectorOf<T, D> s_n, jump;
   const T own_nn = traction<T, D>(own.surface, n, s_n);
   const T other_nn = traction<T, D>(other.surface, n, s_n);
@@ -65,7 +66,7 @@ SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
   T opening = 0;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    jump[i] = other.surface.velocity(i) - own.surface.velocity(i);
+    jump[i] = other.surface.velocity(i) - own.surface.velocity(i) + returning[i];
     opening += jump[i] * n[i];
   }
   const auto resolve = [](T z, T z_other, T s, T s_other, T u) {
