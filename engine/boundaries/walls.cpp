@@ -175,7 +175,7 @@ Point<D> SurfacePressure<D>::traction(const Point<D>& x, double t) const {
 // all.
 template <int D>
 bool SurfacePressure<D>::acts_at(const Point<D>& x) const {
-  constexpr double rounding = 1e-9;
+  constexpr double rounding = 1e-6;  // as of files of meshes
   const Vector at = padded<D>(x);
   return signed_distance(region_, at, D) <= rounding * std::hypot(at[0], at[1], at[2]);
 }

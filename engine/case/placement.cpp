@@ -76,23 +76,74 @@ bool reaches(const Shape& region, const Shape& body, bool surface_alone, const C
   return false;
 }
 
-/// Distance of a wall from the nearest body that it reaches [m].
-double gap_before(const Shape& wall, const Case& a_case) {
-  double gap = std::numeric_limits<double>::infinity();
-  for (const BodyCase& body : a_case.bodies) {
-    if (!reaches(wall, body.geometry, false, a_case)) continue;
-    const double step =
-        probes_of(bounding_box(body.geometry), a_case.discretisation.spacing, a_case.dimension)
-            .step;
-    gap = std::min(gap, -2 * overlap(wall, body.geometry, step, a_case.dimension));
-  }
-  return gap;
-}
-
 bool reaches_any_body(const Shape& region, bool surface_alone, const Case& a_case) {
   return std::ranges::any_of(a_case.bodies, [&](const BodyCase& body) {
     return reaches(region, body.geometry, surface_alone, a_case);
   });
+}
+
+/// Distance of a wall or a region from the surface of a body [m]; negative where they overlap.
+double gap_between(const Shape& region, const Shape& body, const Case& a_case) {
+  const double step =
+      probes_of(bounding_box(body), a_case.discretisation.spacing, a_case.dimension).step;
+  return -2 * overlap(region, body, step, a_case.dimension);
+}
+
+/// Distance of a wall or a region from the nearest body that it reaches [m].
+double gap_before(const Shape& region, const Case& a_case) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (const BodyCase& body : a_case.bodies) {
+    if (!reaches(region, body.geometry, false, a_case)) continue;
+    gap = std::min(gap, gap_between(region, body.geometry, a_case));
+  }
+  return gap;
+}
+
+/// Largest coordinate of the bodies [m].
+double size_of_bodies(const Case& a_case) {
+  double size = 0;
+  const Box<3> box = box_of_bodies(a_case);
+  for (int a = 0; a < a_case.dimension; ++a) {
+    size = std::max({size, std::abs(box.lower[a]), std::abs(box.upper[a])});
+  }
+  return size;
+}
+
+/// Whether a region that a load acts in holds a part of the surface of a body.
+bool holds_surface(const Shape& region, const Case& a_case) {
+  constexpr double precise = 1e-5;   // [spacings]
+  constexpr double rounding = 1e-6;  // of places on surfaces, as where loads act
+  const double touching =
+      std::max(precise * a_case.discretisation.spacing, rounding * size_of_bodies(a_case));
+  return reaches_any_body(region, true, a_case) && gap_before(region, a_case) < touching;
+}
+
+/// Walls hold bodies up to half a spacing away. What happens beyond depends on the method.
+void warn_of_gap(const BoundaryCase& wall, const Case& a_case, std::vector<std::string>& warnings) {
+  constexpr double touching = 0.01;  // [spacings]
+  const double gap = gap_before(wall.geometry, a_case), h = a_case.discretisation.spacing;
+  if (gap < touching * h) return;
+  warnings.push_back(
+      fmt::format("the wall `{}` is {:.2g} spacings ({:.3g} m) away from the nearest body: walls "
+                  "hold bodies up "
+                  "to half a spacing away, and perhaps not beyond; let them touch",
+                  wall.name, gap / h, gap));
+}
+
+/// Deeper overlaps are refused.
+void warn_of_overlap(const BoundaryCase& wall, const Case& a_case,
+                     std::vector<std::string>& warnings) {
+  constexpr double touching = 0.002;  // [spacings]
+  const double h = a_case.discretisation.spacing;
+  for (const BodyCase& body : a_case.bodies) {
+    if (!reaches(wall.geometry, body.geometry, false, a_case)) continue;
+    const double depth = -gap_between(wall.geometry, body.geometry, a_case);
+    if (depth < touching * h) continue;
+    warnings.push_back(fmt::format(
+        "body `{}` overlaps the contact wall `{}` by {:.2g} spacings ({:.3g} m) at the start; the "
+        "wall pushes it out at once, which creates energy; let them touch",
+        body.name, wall.name, depth / h, depth));
+  }
 }
 
 /// Whether the edge of a blade is ever inside its body. The surface does not count.
@@ -114,18 +165,6 @@ bool meets_body(const CutCase& cut, const Case& a_case) {
     }
   }
   return false;
-}
-
-/// Walls hold bodies up to half a spacing away. What happens beyond depends on the method.
-void warn_of_gap(const BoundaryCase& wall, const Case& a_case, std::vector<std::string>& warnings) {
-  constexpr double touching = 0.01;  // [spacings]
-  const double gap = gap_before(wall.geometry, a_case), h = a_case.discretisation.spacing;
-  if (gap < touching * h) return;
-  warnings.push_back(
-      fmt::format("the wall `{}` is {:.2g} spacings ({:.3g} m) away from the nearest body: walls "
-                  "hold bodies up "
-                  "to half a spacing away, and perhaps not beyond; let them touch",
-                  wall.name, gap / h, gap));
 }
 
 /// Bodies with a face in common seem to hold each other.
@@ -188,7 +227,9 @@ std::vector<std::string> placement_warnings(const Case& a_case) {
           boundary.name));
     } else if (kind.is_attached) {
       warn_of_gap(boundary, a_case, warnings);
-    } else if (!kind.is_wall && !reaches_any_body(boundary.geometry, true, a_case)) {
+    } else if (boundary.kind == BoundaryCase::Kind::contact_wall) {
+      warn_of_overlap(boundary, a_case, warnings);
+    } else if (!kind.is_wall && !holds_surface(boundary.geometry, a_case)) {
       warnings.push_back(fmt::format(
           "the region of `{}` holds no surface of a body at the start, so that it loads "
           "nothing; let its geometry reach across a surface",

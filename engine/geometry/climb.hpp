@@ -11,7 +11,7 @@ namespace pliant {
 /// is `enough`, since functions may be unbounded.
 template <class F>
 double climb(const F& value_at, Vector from, int dimension, double step, double enough) {
-  constexpr double precise = 1e-3;
+  constexpr double precise = 1e-6;
   double value = value_at(from);
   for (double along = step; along > precise * step; along /= 2) {
     for (bool rises = true; rises && value < enough;) {

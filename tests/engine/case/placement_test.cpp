@@ -67,6 +67,33 @@ TEST(placement, a_gap_before_a_wall_is_mentioned) {
       << there;
 }
 
+TEST(placement, an_overlap_with_a_contact_wall_is_mentioned) {
+  const auto overlap = [](double spacings) {
+    return warning(boundary(
+        "kind = \"contact_wall\"",
+        fmt::format("shape = \"half_space\", point = [{}, 0], normal = [1, 0]", 0.1 * spacings)));
+  };
+  EXPECT_EQ(overlap(0), "");
+  EXPECT_EQ(overlap(-3), "");
+  EXPECT_EQ(overlap(0.001), "");
+  EXPECT_TRUE(overlap(0.02).starts_with(
+      "body `block` overlaps the contact wall `it` by 0.02 spacings (0.002 m) at the start"))
+      << overlap(0.02);
+}
+
+// Loads act within a millionth of the coordinates of a place.
+TEST(placement, a_region_just_outside_a_body_loads_nothing) {
+  const auto is_mentioned = [](double gap) {
+    return !warning(boundary(pull, fmt::format("shape = \"half_space\", point = [{}, 0], "
+                                               "normal = [1, 0]",
+                                               -gap)))
+                .empty();
+  };
+  EXPECT_FALSE(is_mentioned(1e-7));
+  EXPECT_TRUE(is_mentioned(1e-4));
+  EXPECT_TRUE(is_mentioned(0.03));
+}
+
 TEST(placement, a_region_without_a_surface_loads_nothing) {
   const std::string expected =
       "the region of `it` holds no surface of a body at the start, so that it loads nothing; let "
