@@ -125,8 +125,7 @@ void warn_of_gap(const BoundaryCase& wall, const Case& a_case, std::vector<std::
   if (gap < touching * h) return;
   warnings.push_back(
       fmt::format("the wall `{}` is {:.2g} spacings ({:.3g} m) away from the nearest body: walls "
-                  "hold bodies up "
-                  "to half a spacing away, and perhaps not beyond; let them touch",
+                  "hold bodies up to half a spacing away, and perhaps not beyond; let them touch",
                   wall.name, gap / h, gap));
 }
 

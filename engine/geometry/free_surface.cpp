@@ -144,8 +144,9 @@ Shape uncut(const Shape& body, const Walls& walls) {
 Shape open_mesh(const Shape& body, const Walls& walls) {
   Shape open = body;
   for (const Shape& wall : walls.shapes) {
-    if (auto continued = continued_through(*open.mesh, wall, walls.gap))
+    if (auto continued = continued_through(*open.mesh, wall, walls.gap)) {
       open.mesh = std::move(continued);
+    }
   }
   return open;
 }

@@ -173,6 +173,7 @@ void StageWork<T, D>::add_lone_walls() {
 }
 
 // What the forces of several walls by (RP.65) lack of their sum by (RP.105), in proportion to them.
+// Where some have edges, the others are right.
 template <class T, int D>
 void StageWork<T, D>::share_rest(int axis, double impulse) {
   const std::vector<int>& acting = lone_walls_.together_along(axis);
@@ -181,14 +182,18 @@ void StageWork<T, D>::share_rest(int axis, double impulse) {
   for (std::size_t first = 0; first < impulse_.size(); first += walls) {
     for (std::size_t k = 0; k < acting.size(); ++k) given[k] += impulse_[first + acting[k]][axis];
   }
+  const auto has_edges = [this](int wall) { return lone_walls_.has_edges(wall); };
+  const bool any_has_edges = std::ranges::any_of(acting, has_edges);
   double rest = impulse, size = 0;
-  for (const double one : given) {
-    rest -= one;
-    size += std::abs(one);
+  std::vector<double> weight(acting.size(), 0);
+  for (std::size_t k = 0; k < acting.size(); ++k) {
+    rest -= given[k];
+    if (!any_has_edges || has_edges(acting[k])) weight[k] = std::abs(given[k]);
+    size += weight[k];
   }
   if (size == 0) return;
   for (std::size_t k = 0; k < acting.size(); ++k) {
-    add_impulse_along(axis, acting[k], rest * std::abs(given[k]) / size);
+    add_impulse_along(axis, acting[k], rest * weight[k] / size);
   }
 }
 

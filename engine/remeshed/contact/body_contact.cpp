@@ -124,8 +124,9 @@ auto BodyContact<T, D>::interaction(const Body<T, D>& own, const Body<T, D>& oth
   double closing = 0;
   if (contact.law == ContactLaw::tied) {
     // A tie ignores the level sets: their errors at its ends would shake it.
-    for (int a = 0; a < D; ++a)
+    for (int a = 0; a < D; ++a) {
       returning[a] = static_cast<T>(direction.parted[a] * speed / distance);
+    }
   } else {
     closing = contact_points.gap[point] * speed / distance;
     share = 0;

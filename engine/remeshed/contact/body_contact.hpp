@@ -17,7 +17,8 @@
 //
 // The bodies share only that traction. Each has its own lattice, level set and particles and is
 // remeshed by itself; materials never mix. A tied interface is the same, except that ghosts nearer
-// to the other body are tied to it, whether the bodies press or not.
+// to the other body are tied to it, whether the bodies press or not, and that what has parted
+// returns.
 //
 // Each side computes tractions at its own foot points. Their effect on its particles is accurate to
 // the order of the method, not to rounding. Therefore the momentum that crosses is computed once

@@ -24,11 +24,13 @@ bool can_act_along(const BoundaryCase& wall, int axis) {
 template <class T, int D>
 LoneWalls<T, D>::LoneWalls(State<T, D>& state, const Case& settings,
                            const std::vector<char>& measured)
-    : state_(state), acts_(state.boundaries.walls.size()) {
+    : state_(state), acts_(state.boundaries.walls.size()), has_edges_(acts_.size(), 0) {
   along_.fill(-1);
   for (std::size_t b = 0; b < settings.boundaries.size(); ++b) {
     const int wall = state.boundaries.wall_of[b];
-    for (int a = 0; wall >= 0 && a < D; ++a) {
+    if (wall < 0) continue;
+    has_edges_[wall] = settings.boundaries[b].geometry.kind != Shape::Kind::half_space;
+    for (int a = 0; a < D; ++a) {
       acts_[wall][a] = can_act_along(settings.boundaries[b], a);
     }
   }

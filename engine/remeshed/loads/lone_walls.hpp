@@ -22,6 +22,8 @@ class LoneWalls {
   const std::array<int, D>& along() const { return along_; }
   /// The walls that can act along an axis, if there are several and the force of one is measured.
   const std::vector<int>& together_along(int axis) const { return together_[axis]; }
+  /// Whether a wall has edges, beside which its force by (RP.65) has errors.
+  bool has_edges(int wall) const { return has_edges_[wall] != 0; }
   bool are_any_together() const {
     return std::ranges::any_of(together_, [](const auto& walls) { return !walls.empty(); });
   }
@@ -49,6 +51,7 @@ class LoneWalls {
 
   State<T, D>& state_;
   std::vector<std::array<bool, D>> acts_;  ///< [wall][axis]
+  std::vector<char> has_edges_;            ///< [wall]
   std::array<std::vector<int>, D> together_;
   std::array<int, D> along_;
   double time_step_ = 0;

@@ -13,6 +13,7 @@ namespace pliant::remeshed {
 namespace {
 
 constexpr double enough = 2 * ghost_band;  // [h] so that nothing depends on the far side
+constexpr double beside = 3;               // [h] so that no ghost is nearer to a side of the wall
 
 double extent(const Vector& lower, const Vector& upper, int axis) {
   return upper[axis] - lower[axis];
@@ -47,24 +48,68 @@ bool may_be_thin(const BoundaryCase& boundary) {
   return row_of(boundary.kind).is_wall && boundary.geometry.kind == Shape::Kind::box;
 }
 
+bool meet(const Box<3>& box, const Shape& wall, int dimension, double margin) {
+  for (int a = 0; a < dimension; ++a) {
+    if (box.lower[a] > wall.upper[a] + margin || box.upper[a] < wall.lower[a] - margin)
+      return false;
+  }
+  return true;
+}
+
+/// The box around the bodies that a wall meets, if there are any.
+std::optional<Box<3>> box_before(const Shape& wall, const Case& settings) {
+  std::optional<Box<3>> all;
+  for (const BodyCase& body : settings.bodies) {
+    const Box<3> box = bounding_box(body.geometry);
+    if (!meet(box, wall, settings.dimension, settings.discretisation.spacing / 2)) continue;
+    if (!all) all.emplace();
+    all->grow(box);
+  }
+  return all;
+}
+
+/// Makes a wall deeper on the side away from the bodies.
+void deepen(Shape& wall, const Side& side, double depth) {
+  double &lower = wall.lower[side.axis], &upper = wall.upper[side.axis];
+  if (side.upper) {
+    lower = std::min(lower, upper - depth);
+  } else {
+    upper = std::max(upper, lower + depth);
+  }
+}
+
+/// Makes a wall wider where it covers a face up to its edge or beyond.
+void widen(Shape& wall, const Side& side, const Box<3>& bodies, int dimension, double width) {
+  constexpr double rounding = 1e-6;
+  for (int a = 0; a < dimension; ++a) {
+    if (a == side.axis) continue;
+    const double slack = rounding * extent(bodies.lower, bodies.upper, a);
+    if (wall.lower[a] <= bodies.lower[a] + slack) {
+      wall.lower[a] = std::min(wall.lower[a], bodies.lower[a] - width);
+    }
+    if (wall.upper[a] >= bodies.upper[a] - slack) {
+      wall.upper[a] = std::max(wall.upper[a], bodies.upper[a] + width);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<BoundaryCase> with_deep_walls(const Case& settings) {
   std::vector<BoundaryCase> boundaries = settings.boundaries;
   const Box<3> bodies = box_of_bodies(settings);
-  const double depth = enough * settings.discretisation.spacing;
+  const int dimension = settings.dimension;
+  const double h = settings.discretisation.spacing;
   for (BoundaryCase& boundary : boundaries) {
     if (!may_be_thin(boundary)) continue;
     Shape& wall = boundary.geometry;
-    const auto side = side_before_bodies(wall, bodies, settings.dimension);
-    if (!side) continue;
-    double& lower = wall.lower[side->axis];
-    double& upper = wall.upper[side->axis];
-    if (side->upper) {
-      lower = std::min(lower, upper - depth);
-    } else {
-      upper = std::max(upper, lower + depth);
+    const std::optional<Box<3>> held = box_before(wall, settings);
+    if (const auto side = side_before_bodies(wall, bodies, dimension)) {
+      deepen(wall, *side, enough * h);
     }
+    if (!row_of(boundary.kind).is_attached || !held) continue;
+    const auto side = side_before_bodies(wall, *held, dimension);
+    if (side) widen(wall, *side, *held, dimension, beside * h);
   }
   return boundaries;
 }

@@ -6,8 +6,9 @@
 
 namespace pliant::remeshed {
 
-/// The boundaries of a case, with walls that are deep enough for the ghosts behind them: a box that
-/// is thinner than that grows on the side away from the bodies.
+/// The boundaries of a case, with walls that are deep and wide enough for the ghosts behind them: a
+/// box grows on the side away from the bodies, and, if it holds bodies, beside the edges of the
+/// face that it covers.
 std::vector<BoundaryCase> with_deep_walls(const Case& settings);
 
 /// Whether a box is too thin for the ghosts behind it, and cannot grow, as there are bodies on both

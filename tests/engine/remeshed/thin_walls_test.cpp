@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,25 @@ TEST(walls_near_bodies, hold_them_as_if_they_touched) {
   const double touching = sway(0, half_space_below);
   for (const double lower : {-1.5, -0.8, 1e-6, 0.1, 0.45}) {
     EXPECT_NEAR(sway(lower, half_space_below), touching, 0.005 * touching) << lower;
+  }
+}
+
+// Ghosts below the edges of a plate as wide as the block belonged to the sides of the plate, which
+// bore about 0.55 of its force.
+TEST(plates, as_wide_as_a_body_bear_the_whole_force) {
+  const auto impulse = [](const std::string& geometry) {
+    return values_at_end(
+        block(0) +
+        wall("kind = \"moving_wall\"\ndisplacement = [0, \"-0.02*min(t, 1)\"]", geometry) +
+        half_space("top", "kind = \"fixed\"", "[0, 2]", "[0, -1]") +
+        measurement("impulse", "kind = \"wall_force\"\nboundary = \"wall\"\naxis = \"y\""))[0];
+  };
+  const double endless = impulse(half_space_below);
+  EXPECT_GT(std::abs(endless), 20);
+  for (const double beside : {0., 0.03}) {
+    const double plate = impulse(fmt::format(
+        "{{ shape = \"box\", lower = [{}, -0.5], upper = [{}, 0] }}", -beside, 1 + beside));
+    EXPECT_NEAR(plate, endless, 1e-3 * std::abs(endless)) << beside;
   }
 }
 
