@@ -16,6 +16,10 @@
 ///             |
 namespace pliant {
 
+/// Walls hold faces up to this far in front of them [spacings]: no lattice can tell whether they
+/// touch.
+inline constexpr double farthest_held = 0.5;
+
 /// `body` with every box face that lies against a face of one of `walls` (a half-space or a box),
 /// or inside the wall, moved to infinity. A face that a wall covers in part is extended over that
 /// part. A half-space that cuts the body in the plane of a wall, or inside it, is ignored. A mesh

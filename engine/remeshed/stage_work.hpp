@@ -25,8 +25,8 @@ class StageWork {
         settings_(settings),
         kernels_(kernels),
         particles_(state, settings, kernels),
-        lone_walls_(state, settings, measured_walls(settings)),
-        is_measured_(measured_walls(settings)) {}
+        is_measured_(measured_walls(settings)),
+        lone_walls_(state, settings, is_measured_) {}
 
   void prepare_blocks() { results_.reset(state_.blocks, state_.bodies.size()); }
   /// Sets the time step [s] and what the boundaries impose at each stage.
@@ -77,6 +77,7 @@ class StageWork {
   const Case& settings_;
   const kernels::RemeshedTable<T, D>& kernels_;
   ParticleUpdate<T, D> particles_;
+  std::vector<char> is_measured_;  ///< [wall] whether a measurement needs its force
   LoneWalls<T, D> lone_walls_;
   double time_step_ = 0;
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
@@ -85,9 +86,8 @@ class StageWork {
   std::vector<EnergyBudget> work_;  ///< [block] work of walls and loads in this step
   std::vector<char> sticks_;        ///< [block] whether it stuck to contact walls in this step
   std::vector<std::vector<WallShare>> wall_shares_;  ///< [block] in this step
-  std::vector<char> is_measured_;  ///< [wall] whether a measurement needs its force
-  std::vector<char> is_watched_;   ///< [wall] whether its ghosts are summed in this step
-  bool needs_momentum_ = false;    ///< whether momentum gives forces of walls in this step
+  std::vector<char> is_watched_;  ///< [wall] whether its ghosts are summed in this step
+  bool needs_momentum_ = false;   ///< whether momentum gives forces of walls in this step
 };
 
 extern template class StageWork<double, 2>;

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/case/attached_walls.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
 #include "engine/geometry/climb.hpp"
-#include "engine/geometry/free_surface.hpp"
 #include "engine/geometry/reentrant_corner.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
@@ -21,25 +21,6 @@ namespace {
 
 constexpr double probes = 4000;  // for a body; a search for a maximum starts at the best of them
 constexpr int climbers = 8;
-
-/// Where the free surface of bodies ends: walls that hold them, and the ends of a periodic cell.
-std::vector<Shape> ends_of_bodies(const Case& a_case) {
-  std::vector<Shape> walls;
-  for (const BoundaryCase& boundary : a_case.boundaries) {
-    if (row_of(boundary.kind).is_attached) walls.push_back(boundary.geometry);
-  }
-  for (int a = 0; a < a_case.dimension; ++a) {
-    if (!a_case.periodic.axis[a]) continue;
-    for (const bool upper : {false, true}) {
-      Shape& end = walls.emplace_back();
-      end.kind = Shape::Kind::half_space;
-      end.point[a] = upper ? a_case.periodic.upper[a] : a_case.periodic.lower[a];
-      end.normal = {};
-      end.normal[a] = upper ? -1 : 1;
-    }
-  }
-  return walls;
-}
 
 /// The centres of the cells of a lattice in a box.
 std::vector<Vector> middles(const Box<3>& box, int dimension, double step) {
@@ -127,8 +108,7 @@ void warn_of(const Case& a_case, std::span<const ThinBodyError> errors, const Le
 
 double thickness(const Case& a_case, const BodyCase& body) {
   const int dimension = a_case.dimension;
-  const Shape open = free_surface(body.geometry, ends_of_bodies(a_case), dimension,
-                                  a_case.discretisation.spacing / 2);
+  const Shape open = initial_surface(a_case, body);
   return 2 * largest(body, dimension,
                      [&](const Vector& x) { return -signed_distance(open, x, dimension); });
 }
@@ -192,12 +172,9 @@ void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::
 
 void warn_of_reentrant_corners(const Case& a_case, std::string_view deviation,
                                std::vector<std::string>& warnings) {
-  const std::vector<Shape> ends = ends_of_bodies(a_case);
   for (const BodyCase& body : a_case.bodies) {
     if (contains_mesh(body.geometry)) continue;
-    const Shape open =
-        free_surface(body.geometry, ends, a_case.dimension, a_case.discretisation.spacing / 2);
-    if (!has_reentrant_corner(open, body.geometry, a_case.dimension,
+    if (!has_reentrant_corner(initial_surface(a_case, body), body.geometry, a_case.dimension,
                               a_case.discretisation.spacing)) {
       continue;
     }

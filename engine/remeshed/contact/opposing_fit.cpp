@@ -26,10 +26,9 @@ std::optional<Point<D>> OpposingFit<T, D>::add_to(ContactPoints<T, D>& contact_p
   Point<D> displacement = {};
   for (const FitParticle<D>& i : around_) {
     contact_points.record.push_back(surface.record[i.slot]);
-    contact_points.coefficient.push_back(static_cast<T>(coefficient(i)));
-    for (int a = 0; a < D; ++a) {
-      displacement[a] += coefficient(i) * surface.displacement[i.slot][a];
-    }
+    const double share = coefficient(i);
+    contact_points.coefficient.push_back(static_cast<T>(share));
+    for (int a = 0; a < D; ++a) displacement[a] += share * surface.displacement[i.slot][a];
   }
   contact_points.begin.push_back(static_cast<std::int64_t>(contact_points.record.size()));
   return displacement;

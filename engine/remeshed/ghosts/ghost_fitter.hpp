@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/remeshed/ghosts/fit_search.hpp"
+#include "engine/remeshed/ghosts/reentrant_corners.hpp"
 
 namespace pliant::remeshed {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "engine/case/attached_walls.hpp"
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/level_set/initial_surface.hpp"
 #include "engine/remeshed/loads/shear_patches.hpp"

@@ -50,8 +50,8 @@ bool may_be_thin(const BoundaryCase& boundary) {
 
 bool meet(const Box<3>& box, const Shape& wall, int dimension, double margin) {
   for (int a = 0; a < dimension; ++a) {
-    if (box.lower[a] > wall.upper[a] + margin || box.upper[a] < wall.lower[a] - margin)
-      return false;
+    if (box.lower[a] > wall.upper[a] + margin) return false;
+    if (box.upper[a] < wall.lower[a] - margin) return false;
   }
   return true;
 }

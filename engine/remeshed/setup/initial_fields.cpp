@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/boundaries/attached_walls.hpp"
+#include "engine/case/attached_walls.hpp"
 #include "engine/geometry/distance_walk.hpp"
-#include "engine/geometry/free_surface.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/method/initial_velocity.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
@@ -13,13 +12,6 @@
 #include "engine/remeshed/setup/particle_kinds.hpp"
 
 namespace pliant::remeshed {
-
-Shape initial_surface(const Case& settings, const BodyCase& body) {
-  constexpr double farthest = 0.5;  // [h] of walls that hold a face
-  const std::vector<Shape> walls = attached_walls(settings);
-  return free_surface(body.geometry, walls, settings.dimension,
-                      farthest * settings.discretisation.spacing);
-}
 
 namespace {
 

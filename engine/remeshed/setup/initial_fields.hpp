@@ -5,10 +5,6 @@
 
 namespace pliant::remeshed {
 
-/// The free surface of a body at t = 0. A face less than half a spacing from a wall that holds
-/// bodies lies against it: no lattice can tell whether it does.
-Shape initial_surface(const Case& settings, const BodyCase& body);
-
 /// Sets the fields of the slots of `spare` at t = 0, in `stage[1]`, and `valid` to 1 at particles
 /// and ghosts. Returns whether the body has a free surface.
 template <class T, int D>

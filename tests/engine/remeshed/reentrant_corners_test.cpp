@@ -31,13 +31,6 @@ std::string displacements_of(const std::string& point) {
   return text;
 }
 
-std::vector<double> values_at_end(const std::string& text) {
-  const Case settings = tests::read_text(text);
-  remeshed::Solver<double, 2> solver(settings, {2, kernels::widest_supported()});
-  advance_until(solver, settings.time.end);
-  return solver.measure();
-}
-
 /// How far the end of a bracket sinks under its weight. It stands on its leg, with eight spacings
 /// across.
 double sinking_of_bracket(double degrees) {
@@ -77,20 +70,13 @@ TEST(reentrant_corners, of_a_free_bracket_create_no_energy) {
 
 /// How far the end of a block of 1 m by 3 m moves under a traction along it.
 double shear_of_end(double degrees, int across) {
-  const Turned turned(degrees), beside(degrees - 90);
+  const Turned turned(degrees);
   const std::vector<double> end = values_at_end(
       fmt::format("discretisation = {{ spacing = \"1/{}\", damping = \"adaptive\" }}\n"
                   "time.end = 8\n",
                   across) +
       body_of(turned.rectangle(0, 0, 1, 3)) + clamp_below(turned) +
-      fmt::format(R"toml([[boundary]]
-name = "load"
-kind = "traction"
-geometry = {}
-traction = [{}]
-)toml",
-                  turned.rectangle(-0.2, 2.99, 1.2, 3.5), beside.along_y("0.4*min(t/4, 1)")) +
-      displacements_of(turned.place(0.5, 2.9)));
+      shear_of_block(degrees, "0.4*min(t/4, 1)") + displacements_of(turned.place(0.5, 2.9)));
   return std::hypot(end[0], end[1]);
 }
 

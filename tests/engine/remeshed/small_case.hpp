@@ -7,6 +7,7 @@
 
 #include "engine/remeshed/solver.hpp"
 #include "engine/simulation/methods.hpp"
+#include "tests/engine/case/written_case.hpp"
 
 namespace pliant::test {
 
@@ -37,6 +38,14 @@ inline void advance(Solver& solver, int steps) {
 template <int D>
 void advance_until(remeshed::Solver<double, D>& solver, double time) {
   while (solver.clock().time < time * (1 - 1e-12)) solver.step(time - solver.clock().time);
+}
+
+/// The measurements of a plane case at its end.
+inline std::vector<double> values_at_end(const std::string& text) {
+  const Case settings = tests::read_text(text);
+  Solver solver(settings, {2, kernels::widest_supported()});
+  advance_until(solver, settings.time.end);
+  return solver.measure();
 }
 
 /// Calls f(slot, cell) for the slots of a population of kind `kind`.

@@ -37,13 +37,6 @@ std::string wall(const std::string& kind, const std::string& geometry) {
   return fmt::format("[[boundary]]\nname = \"wall\"\n{}\ngeometry = {}\n", kind, geometry);
 }
 
-std::vector<double> values_at_end(const std::string& text) {
-  const Case settings = tests::read_text(text);
-  Solver solver(settings, {1, kernels::widest_supported()});
-  advance_until(solver, settings.time.end);
-  return solver.measure();
-}
-
 /// How far the upper end of a clamped block sways under its weight.
 double sway(double lower, const std::string& geometry) {
   return values_at_end("gravity = [\"0.2*min(t, 1)\", 0]\n" + block(lower) +

@@ -62,4 +62,16 @@ geometry = {{ shape = "half_space", point = [0, 0], normal = [{}] }}
                      turned.place(0, 1));
 }
 
+/// A traction along the upper end of a block of 1 m by 3 m; `size` is a formula [Pa].
+inline std::string shear_of_block(double degrees, const std::string& size) {
+  return fmt::format(R"toml([[boundary]]
+name = "load"
+kind = "traction"
+geometry = {}
+traction = [{}]
+)toml",
+                     Turned(degrees).rectangle(-0.2, 2.99, 1.2, 3.5),
+                     Turned(degrees - 90).along_y(size));
+}
+
 }  // namespace pliant::test

@@ -52,17 +52,8 @@ Point<2> sum_of_forces(const std::string& text) {
 // Rows of particles are parallel to the end, so that those near it have more or less mass than the
 // material there: the clamp reported 0.83 of the load.
 TEST(wall_forces, of_an_inclined_clamp_balance_a_traction) {
-  const Turned turned(45), beside(-45);
-  const Point<2> force = sum_of_forces(block_on_clamp(turned) +
-                                       fmt::format(R"toml([[boundary]]
-name = "load"
-kind = "traction"
-geometry = {}
-traction = [{}]
-)toml",
-                                                   turned.rectangle(-0.2, 2.99, 1.2, 3.5),
-                                                   beside.along_y("min(t/3, 1)")) +
-                                       forces_of("clamp"));
+  const Point<2> force = sum_of_forces(block_on_clamp(Turned(45)) +
+                                       shear_of_block(45, "min(t/3, 1)") + forces_of("clamp"));
   const double component = std::sqrt(0.5);
   EXPECT_NEAR(force[0], -component, 0.01);
   EXPECT_NEAR(force[1], -component, 0.01);

@@ -1,6 +1,7 @@
-#include "engine/boundaries/attached_walls.hpp"
+#include "engine/case/attached_walls.hpp"
 
 #include "engine/case/vocabulary/boundary_kinds.hpp"
+#include "engine/geometry/free_surface.hpp"
 
 namespace pliant {
 
@@ -27,6 +28,11 @@ std::vector<Shape> attached_walls(const Case& a_case) {
     walls.push_back(half_space(axis, a_case.periodic.upper[axis], -1));
   }
   return walls;
+}
+
+Shape initial_surface(const Case& a_case, const BodyCase& body) {
+  return free_surface(body.geometry, attached_walls(a_case), a_case.dimension,
+                      farthest_held * a_case.discretisation.spacing);
 }
 
 }  // namespace pliant

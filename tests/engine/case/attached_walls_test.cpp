@@ -1,4 +1,4 @@
-#include "engine/boundaries/attached_walls.hpp"
+#include "engine/case/attached_walls.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,4 +10,7 @@ namespace pliant {
 /// half-space beyond each end of the periodic cell.
 std::vector<Shape> attached_walls(const Case& a_case);
 
+/// The free surface of a body at t = 0.
+Shape initial_surface(const Case& a_case, const BodyCase& body);
+
 }  // namespace pliant
