@@ -88,7 +88,7 @@ undeformed::StepResult Step<T, D>::fold() {
   }
   const undeformed::StepResult of_nodes = nodes_.fold();
   result.overlap = of_nodes.overlap;
-  result.rayleigh = of_nodes.rayleigh;
+  result.secant = of_nodes.secant;
   return result;
 }
 

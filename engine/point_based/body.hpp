@@ -92,7 +92,6 @@ struct Body : undeformed::Body<T, D> {
   Buffer<T> frequency2;                        ///< of (PB.12) [1/s^2]
   std::array<Buffer<T>, D * D> kept_gradient;  ///< D of (PB.14); only with cuts
   std::array<Buffer<T>, symmetric> moment, strain;
-  std::array<Buffer<T>, D> previous_force;  ///< of bonds [N]; only with adaptive damping, (PB.65)
   Buffer<T> share;       ///< share in the volume of its group, (PB.60); only with groups
   T shared_modulus = 0;  ///< [Pa]
   std::array<Buffer<T>, symmetric>
@@ -116,7 +115,6 @@ struct Body : undeformed::Body<T, D> {
   bool is_prestressed() const { return initial_stress[0].bytes() > 0; }
   bool has_groups() const { return share.bytes() > 0; }
   bool is_viscous() const { return strain[0].bytes() > 0; }
-  bool is_followed() const { return previous_force[0].bytes() > 0; }
 
   /// Calls f(declaration, buffers) for every array of slots.
   template <class F>
@@ -204,7 +202,10 @@ struct Body : undeformed::Body<T, D> {
     f(field_list[Field::end_velocity], span(body.end_velocity));
     f(field_list[Field::velocity_gain], span(body.velocity_gain));
     if (body.is_viscous()) f(field_list[Field::strain], span(body.strain));
-    if (body.is_followed()) f(field_list[Field::previous_force], span(body.previous_force));
+    if (body.is_sampled()) {
+      f(field_list[Field::sampled_displacement], span(body.sampled_displacement));
+      f(field_list[Field::sampled_force], span(body.sampled_force));
+    }
     f(field_list[Field::mass], span(&body.mass, 1));
     f(field_list[Field::inverse_mass], span(&body.inverse_mass, 1));
     f(field_list[Field::volume], span(&body.volume, 1));

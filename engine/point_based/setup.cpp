@@ -68,7 +68,7 @@ void make_room(const Case& settings, const Boundaries<D>& boundaries, PressureFo
                Body<T, D>& body) {
   if (body.source->stress) body.initial_stress[0].grow(body.slots, T(0));
   if (parameters_of(settings).stiffness_damping > 0) body.strain[0].grow(body.slots, T(0));
-  if (!parameters_of(settings).damping) body.previous_force[0].grow(body.slots, T(0));
+  if (!parameters_of(settings).damping) body.sampled_force[0].grow(body.slots, T(0));
   for (const SurfacePressure<D>& load : boundaries.pressures) {
     const bool is_force = load.is_traction() || pressures == PressureForces::of_loads;
     (is_force ? body.traction : body.pressure_load)[0].grow(body.slots, T(0));

@@ -54,7 +54,7 @@ double Step<T, D>::drift_length() const {
 template <class T, int D>
 void Step<T, D>::prepare_blocks() {
   results_.assign(state_.blocks.size(), {});
-  force_changes_.prepare_blocks(state_.blocks.size());
+  sampler_.prepare_blocks(state_.blocks.size());
   loads_.prepare_blocks();
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
@@ -185,7 +185,7 @@ StepResult Step<T, D>::fold() {
     // Nodes whose velocities change sign from step to step lose little, (TL.28).
     damped += results_[b].motion.inertia_of_means;
   }
-  result.rayleigh = undeformed::rayleigh_quotient(force_changes_.power(), inertia);
+  if (advance_.samples) result.secant = sampler_.secant();
   for (const auto& of_body : state_.cuts) {
     if (of_body) state_.energy.cut_work += of_body->fold();
   }
@@ -237,11 +237,11 @@ void Step<T, D>::move(int block) {
   for (int a = 0; a < D; ++a) {
     arguments.gravity[a] = static_cast<T>(loads_.uniform_gravity()[a]);
   }
-  if (damping > 0 || body.is_followed()) arguments.mass = body.mass.get();
+  if (damping > 0) arguments.mass = body.mass.get();
   work_.begin_motion(block, body, local, power(block));
-  if (body.is_followed()) force_changes_.begin(block, body, local);
+  if (advance_.samples) sampler_.begin(block, body, local);
   results_[block].motion = kernels_.advance(arguments);
-  if (body.is_followed()) force_changes_.end(block, body, local);
+  if (advance_.samples) sampler_.end(block, body, local);
   work_.hold(block, body, local);
   if (!bodies_touch()) end_motion(block);
 }

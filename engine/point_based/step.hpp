@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/point_based/forces/force_changes.hpp"
+#include "engine/point_based/forces/motion_sampler.hpp"
 #include "engine/point_based/forces/node_loads.hpp"
 #include "engine/point_based/state.hpp"
 #include "engine/undeformed/advance.hpp"
@@ -93,7 +93,7 @@ class Step {
   undeformed::WallContact<T, D> contact_;
   undeformed::BodyContact<T, D> body_contact_;
   std::vector<BlockResult> results_;  ///< [block]
-  ForceChanges<T, D> force_changes_;
+  MotionSampler<T, D> sampler_;
 };
 
 extern template class Step<double, 2>;

@@ -200,6 +200,10 @@ struct Body : undeformed::Body<T, D> {
     f(field_list[Field::end_displacement], span(body.end_displacement));
     f(field_list[Field::velocity], span(body.velocity));
     f(field_list[Field::internal_force], span(body.internal));
+    if (body.is_sampled()) {
+      f(field_list[Field::sampled_displacement], span(body.sampled_displacement));
+      f(field_list[Field::sampled_force], span(body.sampled_force));
+    }
     f(field_list[Field::traction], span(body.traction));
     f(field_list[Field::mass], span(&body.mass, 1));
     f(field_list[Field::inverse_mass], span(&body.inverse_mass, 1));

@@ -198,6 +198,7 @@ void make_body(const Case& settings, const BodyCase& source, const Boundaries<D>
   body.lattice = nodes_on_faces<D>(settings.discretisation.spacing, box);
   Nodes<D> nodes(body.lattice, source.geometry, box);
   lay_out<T, D>(nodes, body);
+  if (!parameters_of(settings).damping) body.sampled_force[0].grow(body.layout.slots(), T(0));
   make_room<T, D>(body);
   fill(nodes, body);
   hold<T, D>(boundaries, body);

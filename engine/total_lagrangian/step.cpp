@@ -50,6 +50,7 @@ Step<T, D>::Step(State<T, D>& state, const Case& settings,
 template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
   results_.assign(state_.blocks.size(), {});
+  secants_.assign(state_.blocks.size(), {});
   boundary_forces_.prepare_blocks();
   body_contact_.take_surfaces(state_.bodies);
   contact_.take_surfaces(state_.bodies, undeformed::ImpulseCarriers::all);
@@ -129,10 +130,10 @@ StepResult Step<T, D>::fold() {
   if (!contact_.is_expected()) meet_walls();
   for (Body<T, D>& body : state_.bodies) body.take_next();
   StepResult result;
-  double stiffness = 0, inertia = 0, damped = 0;
+  double inertia = 0, damped = 0;
   for (std::size_t b = 0; b < results_.size(); ++b) {
     result.wave_speed = std::max(result.wave_speed, results_[b].wave_speed);
-    stiffness += results_[b].stiffness;
+    if (advance_.samples) result.secant += secants_[b];
     inertia += results_[b].inertia;
     damped += results_[b].damped;
     if (results_[b].non_finite >= 0 && result.non_finite < 0) {
@@ -140,7 +141,6 @@ StepResult Step<T, D>::fold() {
       result.failed_block = static_cast<int>(b);
     }
   }
-  result.rayleigh = undeformed::rayleigh_quotient(stiffness, inertia);
   boundary_forces_.fold(inertia, bodies_touch() ? std::nullopt : std::optional(damped));
   result.overlap = body_contact_.deepest();
   return result;
@@ -222,7 +222,7 @@ void Step<T, D>::set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) co
   work.kept = static_cast<T>((1 - half) / (1 + half));
   work.gained = static_cast<T>(advance_.kick() / ((1 + half) * state_.clock.mass_scaling));
   work.time_step = static_cast<T>(advance_.length);
-  work.damped = state_.clock.damping != 0 || !parameters_of(settings_).damping;
+  work.damped = state_.clock.damping != 0;
   work.inverse_mass = body.inverse_mass.get();
   for (int a = 0; a < D; ++a) {
     work.displacement[a] = body.displacement[a].get();
@@ -248,6 +248,12 @@ void Step<T, D>::move(int block) {
   for (int a = 0; a < D; ++a) work.force[a] = force[a].get();
   boundary_forces_.begin_motion(block);
   results_[block] = kernels_.advance_motion(work);
+  if (advance_.samples) {
+    secants_[block] = undeformed::take_sample<T, D>(
+        body, range.first_slot, range.slot_count,
+        [&](int a, std::int64_t slot) { return body.displacement[a][slot]; },
+        [&](int a, std::int64_t slot) { return body.internal[a][slot]; });
+  }
   boundary_forces_.hold(block);
   if (!bodies_touch()) boundary_forces_.end_motion(block);
 }

@@ -79,6 +79,7 @@ class Step {
   std::vector<BodyMemory<T>> memory_;            ///< [body]
   std::vector<std::array<Buffer<T>, D>> force_;  ///< [worker], for one block at a time [N]
   std::vector<kernels::MotionResult> results_;   ///< [block]
+  std::vector<undeformed::Secant> secants_;      ///< [block] of the last sample
 };
 
 extern template class Step<double, 2>;

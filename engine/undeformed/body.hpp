@@ -46,9 +46,13 @@ struct Body {
   std::array<Buffer<T>, D> end_displacement;
   /// The same for velocities that belong to the ends of steps, and their gain in the step [m/s].
   std::array<Buffer<T>, D> end_velocity, velocity_gain;
+  /// Displacements [m] and internal forces [N] at the last sample of the motion; only with adaptive
+  /// damping, (TL.10).
+  std::array<Buffer<T>, D> sampled_displacement, sampled_force;
   std::vector<std::vector<ConstrainedParticle<D>>> held;  ///< [block]
 
   bool is_particle(std::int64_t slot) const { return mass[slot] > 0; }
+  bool is_sampled() const { return sampled_force[0].bytes() > 0; }
 
   /// Present place of a point of the surface [m].
   Point<D> position(const Vertex<D>& v) const { return position(v, displacement); }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "engine/method/step_clock.hpp"
 
 namespace pliant::undeformed {
@@ -7,11 +9,13 @@ namespace pliant::undeformed {
 /// Counters that the next step reads; a checkpoint holds all of them. The wave speed is that
 /// without mass scaling.
 struct Clock : StepClock {
-  double mass_scaling = 1;   ///< inertia over mass in the next step
-  double damping = 0;        ///< alpha of (TL.8) and (PB.10) in the next step [1/s]
-  double step_length = 0;    ///< of the last step that has begun [s]; 0 before the first
-  double step_end = 0;       ///< end of that step [s]
-  double velocity_time = 0;  ///< time of the velocities [s]
+  double mass_scaling = 1;           ///< inertia over mass in the next step
+  double damping = 0;                ///< alpha of (TL.8) and (PB.10) in the next step [1/s]
+  std::int64_t next_sample = 0;      ///< step that takes the next sample of the motion, (TL.10)
+  std::int64_t sample_interval = 1;  ///< steps from the sample before to that one
+  double step_length = 0;            ///< of the last step that has begun [s]; 0 before the first
+  double step_end = 0;               ///< end of that step [s]
+  double velocity_time = 0;          ///< time of the velocities [s]
 
   /// Rest of that step after an output time inside it [s]; 0 if it has ended.
   double rest() const { return step_end - time > rounding() ? step_end - time : 0; }

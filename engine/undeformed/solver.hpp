@@ -97,6 +97,7 @@ class Solver : public pliant::Solver {
   }
   void take_step(double time_step) override;
   void begin_step();
+  void damp_critically(const Advance& advance, const Secant& secant);
   void move_to_output();
 
   State state_;
@@ -224,6 +225,17 @@ StepFailure Solver<State, Step, Measurer>::failure(const Overlap& overlap) const
       clock().step > 0 ? later : std::vector<std::string>{"let them at most meet at the start"});
 }
 
+/// Sets the rate of adaptive damping after a step that has taken a sample, (TL.10), and when to
+/// take the next one.
+template <class State, class Step, class Measurer>
+void Solver<State, Step, Measurer>::damp_critically(const Advance& advance, const Secant& secant) {
+  Clock& clock = state_.clock;
+  const double omega = std::sqrt(secant.frequency2() / clock.mass_scaling);
+  clock.damping = std::min(2 * omega, 1 / advance.length);
+  clock.sample_interval = steps_until_sample<T>(omega, advance.length, clock.sample_interval);
+  clock.next_sample += clock.sample_interval;
+}
+
 /// Takes a whole step, and sets its length and its end in the clock.
 template <class State, class Step, class Measurer>
 void Solver<State, Step, Measurer>::begin_step() {
@@ -231,7 +243,8 @@ void Solver<State, Step, Measurer>::begin_step() {
   constexpr int examine_every = 8;
   Clock& clock = state_.clock;
   const Advance advance = {clock.step_end, clock.step_length, time_step(),
-                           clock.step % examine_every == 0};
+                           clock.step % examine_every == 0,
+                           has_adaptive_damping() && clock.step == clock.next_sample};
   step_->prepare(advance);
   run(*graph_);
   const StepResult result = step_->fold();
@@ -242,9 +255,7 @@ void Solver<State, Step, Measurer>::begin_step() {
   clock.step_end = advance.time + advance.length;
   clock.velocity_time = velocities_lag() ? clock.step_end - advance.length / 2 : clock.step_end;
   ++clock.step;
-  if (has_adaptive_damping()) {
-    state_.clock.damping = critical_damping(advance, result, state_.clock.mass_scaling);
-  }
+  if (advance.samples) damp_critically(advance, result.secant);
   adapt(advance, result);
   add_particle_stages(particles());
 }

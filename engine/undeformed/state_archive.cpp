@@ -74,6 +74,8 @@ void put_totals(ArchiveWriter& archive, const State<D>& state) {
   put_clock(archive, state.clock);
   archive.put("clock/mass_scaling", state.clock.mass_scaling);
   archive.put("clock/damping", state.clock.damping);
+  archive.put("clock/next_sample", state.clock.next_sample);
+  archive.put("clock/sample_interval", state.clock.sample_interval);
   archive.put("clock/step_length", state.clock.step_length);
   archive.put("clock/step_end", state.clock.step_end);
   archive.put("clock/velocity_time", state.clock.velocity_time);
@@ -93,6 +95,8 @@ void get_totals(const ArchiveReader& archive, State<D>& state) {
   get_clock(archive, state.clock);
   state.clock.mass_scaling = archive.scalar<double>("clock/mass_scaling");
   state.clock.damping = archive.scalar<double>("clock/damping");
+  state.clock.next_sample = archive.scalar<std::int64_t>("clock/next_sample");
+  state.clock.sample_interval = archive.scalar<std::int64_t>("clock/sample_interval");
   state.clock.step_length = archive.scalar<double>("clock/step_length");
   state.clock.step_end = archive.scalar<double>("clock/step_end");
   state.clock.velocity_time = archive.scalar<double>("clock/velocity_time");

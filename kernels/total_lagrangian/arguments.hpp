@@ -104,7 +104,7 @@ struct Motion {
   T spacing;
   HourglassStiffness<T> hourglass;
   bool examine;  ///< whether to compute the wave speed and to look for states that are not possible
-  bool damped;   ///< whether to compute the sums for damping
+  bool damped;   ///< whether to compute the sums for the work of damping
   T kept;        ///< share of the velocity that remains after damping, (TL.8)
   T gained;      ///< velocity per force over mass [s], (TL.8)
   T time_step;
@@ -129,11 +129,9 @@ struct Motion {
 struct MotionResult {
   double wave_speed = 0;         ///< largest c of (TL.9) [m/s]; 0 unless examined
   std::int64_t non_finite = -1;  ///< a slot whose stress is not finite or whose J <= 0, or -1
-  /// Sums over the particles for the work of damping and for adaptive damping (TL.10); 0 unless
-  /// `damped`.
-  double stiffness = 0;  ///< sum of v . (F_before - F) [W]
-  double inertia = 0;    ///< sum of v . m v, without mass scaling [J]
-  double damped = 0;     ///< the same with the mean of the velocities before and after the step [J]
+  /// Sums over the particles for the work of damping; 0 unless `damped`.
+  double inertia = 0;  ///< sum of v . m v, without mass scaling [J]
+  double damped = 0;   ///< the same with the mean of the velocities before and after the step [J]
 };
 
 }  // namespace pliant::kernels

@@ -23,7 +23,7 @@ class Mover {
 
   explicit Mover(const Motion<T, D>& block) : block_(block) {
 #pragma GCC unroll 4
-    for (int k = 0; k < registers; ++k) stiffness_[k] = inertia_[k] = damped_[k] = P(T(0));
+    for (int k = 0; k < registers; ++k) inertia_[k] = damped_[k] = P(T(0));
   }
 
   /// Moves particles up to the slot at offset `end` from the first.
@@ -40,7 +40,6 @@ class Mover {
   void add_to(MotionResult& result) const {
 #pragma GCC unroll 4
     for (int k = 0; k < registers; ++k) {
-      add_lanes(stiffness_[k], result.stiffness);
       add_lanes(inertia_[k], result.inertia);
       add_lanes(damped_[k], result.damped);
     }
@@ -59,17 +58,13 @@ class Mover {
       const P force = xsimd::select(inside, load<P>(sum), zero);
       zero.store_unaligned(sum);
       const P u = load<P>(block_.velocity[i] + slot);
-      if (block_.damped) {
-        const P before = load<P>(block_.internal[i] + slot);
-        stiffness_[k] = fused(u, before - force, stiffness_[k]);
-        inertia_[k] = fused(u * u, mass, inertia_[k]);
-      }
       force.store_unaligned(block_.internal[i] + slot);
       const T* const traction = block_.traction[i];
       const P pull = traction == nullptr ? force : force + load<P>(traction + slot);
       const P next = fused(P(block_.gained) * inverse_mass, pull, P(block_.kept) * u);
       if (block_.damped) {
         const P mean = P(T(0.5)) * (u + next);
+        inertia_[k] = fused(u * u, mass, inertia_[k]);
         damped_[k] = fused(mean * mean, mass, damped_[k]);
       }
       next.store_unaligned(block_.velocity[i] + slot);
@@ -80,7 +75,7 @@ class Mover {
 
   const Motion<T, D>& block_;
   std::int64_t moved_ = 0;
-  P stiffness_[registers], inertia_[registers], damped_[registers];
+  P inertia_[registers], damped_[registers];
 };
 
 /// A particle moves as soon as the cells around it are done, while its data are in the cache. None

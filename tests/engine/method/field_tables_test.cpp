@@ -140,7 +140,8 @@ constexpr auto relaxing = "prony = { ratios = [0.5], times = [0.1] }\n";
 std::unique_ptr<Solver> stepped_remeshed() { return stepped("remeshed", "", relaxing); }
 std::unique_ptr<Solver> stepped_total_lagrangian() {
   const std::string in_shear = "prony_shear = { ratios = [0.5], times = [0.1] }\n";
-  return stepped("total_lagrangian", "", relaxing + in_shear);
+  return stepped("total_lagrangian", "total_lagrangian = { damping = \"adaptive\" }",
+                 relaxing + in_shear);
 }
 // A case that uses every field.
 std::unique_ptr<Solver> stepped_point_based() {
