@@ -123,8 +123,10 @@ kernels::SurfaceLoad<T, D> load_beside_edge(const Body<T, D>& body, const BlockG
     const std::int8_t load = own == several_loads ? body.population.load[record] : own;
     if (load < 0) continue;
     const double area = std::sqrt(dot<D>(gradient, gradient));
+    const double share = body.population.loaded_share[record];
     for (int a = 0; a < D; ++a) {
-      force[a] += c * (values.traction[load][a] * area - values.pressure[load] * gradient[a]);
+      force[a] +=
+          share * c * (values.traction[load][a] * area - values.pressure[load] * gradient[a]);
     }
   }
   const double square = dot<D>(normal, normal);

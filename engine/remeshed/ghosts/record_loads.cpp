@@ -1,148 +1,17 @@
 #include "engine/remeshed/ghosts/record_loads.hpp"
 
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
 
-#include "engine/geometry/padded.hpp"
-#include "engine/geometry/signed_distance.hpp"
-#include "engine/lattice/point_algebra.hpp"
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
+#include "engine/remeshed/ghosts/load_finder.hpp"
 
 namespace pliant::remeshed {
 
 namespace {
 
-constexpr double known = 0.02;   // [h] accuracy of places at t = 0: regions may end on a face
 constexpr double unseen = 1e-3;  // of the squares of grad phi; below it they have no direction
 
-/// Calls f(a, q, r) for each axis a on which the cells above and below have the slots q and r.
-template <int D, class F>
-void for_each_pair_beside(const Lattice<D>& lattice, const Layout<D>& layout, const Cell<D>& cell,
-                          F&& f) {
-  for (int a = 0; a < D; ++a) {
-    Cell<D> up = cell, down = cell;
-    ++up[a];
-    --down[a];
-    const std::int64_t q = layout.slot(lattice.wrapped(up));
-    const std::int64_t r = layout.slot(lattice.wrapped(down));
-    if (q >= 0 && r >= 0) f(a, q, r);
-  }
-}
-
-/// Finds the faces and loads near the particles of a block.
-template <class T, int D>
-class LoadFinder {
- public:
-  LoadFinder(const Lattice<D>& lattice, const Layout<D>& layout, const FieldStore<T, D>& fields,
-             const Shape& surface, const Boundaries<D>& boundaries)
-      : surface_(surface),
-        lattice_(lattice),
-        layout_(layout),
-        fields_(fields),
-        boundaries_(boundaries) {}
-
-  /// The load on the particle in `slot`, the normal of its face, and grad phi.
-  std::int8_t find(std::int64_t slot, std::array<T, D>& face, std::array<T, D>& slope) const {
-    const Cell<D> cell = layout_.cell(slot);
-    const Point<D> moved = displacement(slot);
-    Point<D> x = lattice_.node(cell);
-    for (int a = 0; a < D; ++a) x[a] -= moved[a];
-    const InitialFace<D> initial = nearest_face(x);
-    const Point<D> normal = present_normal<T, D>(lattice_, layout_, fields_, cell, initial.normal);
-    const Point<D> gradient = slope_at(cell, initial.normal);
-    for (int a = 0; a < D; ++a) {
-      face[a] = static_cast<T>(normal[a]);
-      slope[a] = static_cast<T>(gradient[a]);
-    }
-    return initial.load;
-  }
-
- private:
-  // For a place on the bisector of an edge, rounding would decide which face is nearest: a loaded
-  // face is preferred.
-  InitialFace<D> nearest_face(const Point<D>& start) const {
-    InitialFace<D> face = face_at<D>(boundaries_, surface_, start);
-    for (int a = 0; a < D && face.load < 0; ++a) {
-      for (const double way : {-known, known}) {
-        Point<D> beside = start;
-        beside[a] += way * lattice_.spacing;
-        if (const auto other = face_at<D>(boundaries_, surface_, beside); other.load >= 0) {
-          face = other;
-        }
-      }
-    }
-    return face;
-  }
-
-  // grad phi, or the initial normal where a node beside has no slot.
-  Point<D> slope_at(const Cell<D>& cell, const Point<D>& initial) const {
-    const T* phi = fields_.get(Field::level_set);
-    Point<D> slope = initial;
-    for_each_pair_beside<D>(lattice_, layout_, cell, [&](int a, std::int64_t q, std::int64_t r) {
-      slope[a] = (phi[q] - phi[r]) / (2 * lattice_.spacing);
-    });
-    return slope;
-  }
-
-  Point<D> displacement(std::int64_t slot) const {
-    Point<D> value;
-    for (int a = 0; a < D; ++a) value[a] = fields_.get(Field::displacement, a)[slot];
-    return value;
-  }
-
-  const Shape& surface_;
-  const Lattice<D>& lattice_;
-  const Layout<D>& layout_;
-  const FieldStore<T, D>& fields_;
-  const Boundaries<D>& boundaries_;
-};
-
-/// The load on the material that was at `start` at t = 0.
-template <int D>
-std::int8_t load_at(const Boundaries<D>& boundaries, const Point<D>& start) {
-  for (std::size_t i = 0; i < boundaries.pressures.size(); ++i) {
-    if (boundaries.pressures[i].acts_at(start)) return static_cast<std::int8_t>(i);
-  }
-  return no_load;
-}
-
 }  // namespace
-
-template <class T, int D>
-Point<D> present_normal(const Lattice<D>& lattice, const Layout<D>& layout,
-                        const FieldStore<T, D>& fields, const Cell<D>& cell,
-                        const Point<D>& initial) {
-  Point<D> normal = initial;
-  for_each_pair_beside<D>(lattice, layout, cell, [&](int a, std::int64_t q, std::int64_t r) {
-    for (int i = 0; i < D; ++i) {
-      const T* displacement = fields.get(Field::displacement, i);
-      normal[a] -= (displacement[q] - displacement[r]) / (2 * lattice.spacing) * initial[i];
-    }
-  });
-  const double length = norm<D>(normal);
-  for (double& component : normal) component /= length;
-  return normal;
-}
-
-// A region may end in the plane of a loaded face, so the point just outside the face decides.
-template <int D>
-InitialFace<D> face_at(const Boundaries<D>& boundaries, const Shape& surface,
-                       const Point<D>& start) {
-  constexpr double rounding = 1e-9;  // of coordinates
-  const Vector near = padded<D>(start), n = outward_direction(surface, near, D);
-  const double distance = signed_distance(surface, near, D);
-  InitialFace<D> face{{}, no_load};
-  Point<D> x = start;
-  double size = 0;
-  for (const double component : start) size = std::max(size, std::abs(component));
-  for (int a = 0; a < D; ++a) {
-    face.normal[a] = n[a];
-    x[a] += (rounding * size - distance) * n[a];
-  }
-  face.load = load_at<D>(boundaries, x);
-  return face;
-}
 
 template <class T, int D>
 void find_record_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields,
@@ -151,35 +20,57 @@ void find_record_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields
   const LoadFinder<T, D> finder(lattice, population.layout, fields, surface, boundaries);
   const BlockGhosts<T, D>& ghosts = population.ghosts[block];
   for (std::int32_t r = ghosts.first_record; r < ghosts.first_record + ghosts.record_count; ++r) {
-    population.load[r] =
-        finder.find(population.slot_of_record[r], population.face[r], population.slope[r]);
+    finder.find(r, population);
   }
 }
 
 namespace {
 
-// The load of the faces of all particles in its fit, if they agree.
+/// Whether two records belong to one face.
 template <class T, int D>
-std::int8_t load_of_faces(const Population<T, D>& population, const BlockGhosts<T, D>& ghosts,
-                          std::size_t g) {
-  const auto load = [&](std::int64_t k) {
-    return population.load[kernels::record_of(ghosts.pairs[k])];
-  };
-  const std::int64_t first = ghosts.begin[g];
-  for (std::int64_t k = first; k < ghosts.begin[g + 1]; ++k) {
-    if (load(k) != load(first)) return several_loads;
+bool on_one_face(const Population<T, D>& population, std::int64_t r, std::int64_t s) {
+  T cosine = 0;
+  for (int a = 0; a < D; ++a) cosine += population.face[r][a] * population.face[s][a];
+  return cosine > T(one_face);
+}
+
+// The load of the faces of all particles in its fit, if it acts on all of them. The normal of a
+// ghost at an edge is no direction of a traction on its faces.
+template <class T, int D>
+std::int8_t load_of_faces(const Boundaries<D>& boundaries, const Population<T, D>& population,
+                          const BlockGhosts<T, D>& ghosts, std::size_t g) {
+  const std::int64_t begin = ghosts.begin[g], end = ghosts.begin[g + 1];
+  if (begin == end) return no_load;
+  const std::int64_t first = kernels::record_of(ghosts.pairs[begin]);
+  const std::int8_t load = population.load[first];
+  const bool has_direction = boundaries.is_traction(load);
+  for (std::int64_t k = begin; k < end; ++k) {
+    const std::int64_t record = kernels::record_of(ghosts.pairs[k]);
+    if (population.load[record] != load || population.loaded_share[record] < 1) {
+      return several_loads;
+    }
+    if (has_direction && !on_one_face<T, D>(population, first, record)) return several_loads;
   }
-  return first == ghosts.begin[g + 1] ? no_load : load(first);
+  return load;
 }
 
 }  // namespace
 
 template <class T, int D>
-void find_ghost_loads(Population<T, D>& population, int block) {
+void find_ghost_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields,
+                      const Shape& surface, const Boundaries<D>& boundaries, int block,
+                      Population<T, D>& population) {
+  const LoadFinder<T, D> finder(lattice, population.layout, fields, surface, boundaries);
   BlockGhosts<T, D>& ghosts = population.ghosts[block];
+  ghosts.face.assign(ghosts.slot.size() * D, {});
+  ghosts.face_load.assign(ghosts.slot.size() * D, no_load);
+  ghosts.face_share.assign(ghosts.slot.size() * D, 0);
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
     if (ghosts.wall[g] >= 0) continue;
-    ghosts.pressure[g] = load_of_faces(population, ghosts, g);
+    ghosts.pressure[g] = load_of_faces<T, D>(boundaries, population, ghosts, g);
+    if (ghosts.pressure[g] != several_loads) continue;
+    const auto nearest = kernels::record_of(ghosts.pairs[ghosts.begin[g]]);
+    finder.find_faces(g, population.slot_of_record[nearest], ghosts);
   }
 }
 
@@ -207,6 +98,26 @@ Eigen::Matrix<T, D, D> turn_of_normals(const Body<T, D>& body, const BlockGhosts
   return changes * squares.inverse();
 }
 
+/// A load, and the share of a face on which it acts.
+template <class T>
+struct LoadOnFace {
+  std::int8_t load;
+  T share;
+};
+
+/// The load on the face of a record: near the ghost, if the face is there, and near the record
+/// otherwise.
+template <class T, int D>
+LoadOnFace<T> load_on_face(const Population<T, D>& population, const BlockGhosts<T, D>& ghosts,
+                           std::size_t ghost, std::int64_t record) {
+  for (std::size_t k = ghost * D; k < (ghost + 1) * D; ++k) {
+    T cosine = 0;
+    for (int a = 0; a < D; ++a) cosine += ghosts.face[k][a] * population.face[record][a];
+    if (cosine > T(one_face)) return {ghosts.face_load[k], ghosts.face_share[k]};
+  }
+  return {population.load[record], population.loaded_share[record]};
+}
+
 }  // namespace
 
 // The traction of the uniform stress that fits those of the faces along their normals.
@@ -220,7 +131,7 @@ kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<
   Matrix squares = Matrix::Zero(), products = Matrix::Zero();
   for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
     const std::int64_t record = kernels::record_of(ghosts.pairs[k]);
-    const std::int8_t load = body.population.load[record];
+    const auto [load, share] = load_on_face(body.population, ghosts, ghost, record);
     const T w = FittedParticle<T, D>(ghosts, ghost, k).weight();
     const Vector face = Eigen::Map<const Vector>(body.population.face[record].data());
     const Vector normal = face + turn * face;
@@ -230,7 +141,8 @@ kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<
     Vector traction;
     for (int a = 0; a < D; ++a) traction[a] = static_cast<T>(values.traction[load][a]) * length;
     traction -= static_cast<T>(values.pressure[load]) * normal;
-    products += w * traction.dot(normal) / normal.squaredNorm() * normal * normal.transpose();
+    products +=
+        w * share * traction.dot(normal) / normal.squaredNorm() * normal * normal.transpose();
   }
   squares.diagonal().array() += T(unseen) * squares.trace();
   const auto unit = kernels::unit_normal<T, D>(fits.linear);
@@ -245,15 +157,12 @@ kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<
   return result;
 }
 
-template InitialFace<2> face_at<2>(const Boundaries<2>&, const Shape&, const Point<2>&);
-template InitialFace<3> face_at<3>(const Boundaries<3>&, const Shape&, const Point<3>&);
 template void find_record_loads<double, 2>(const Lattice<2>&, const FieldStore<double, 2>&,
                                            const Shape&, const Boundaries<2>&, int,
                                            Population<double, 2>&);
-template Point<2> present_normal<double, 2>(const Lattice<2>&, const Layout<2>&,
-                                            const FieldStore<double, 2>&, const Cell<2>&,
-                                            const Point<2>&);
-template void find_ghost_loads<double, 2>(Population<double, 2>&, int);
+template void find_ghost_loads<double, 2>(const Lattice<2>&, const FieldStore<double, 2>&,
+                                          const Shape&, const Boundaries<2>&, int,
+                                          Population<double, 2>&);
 template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double, 2>&,
                                                                const BlockGhosts<double, 2>&,
                                                                const kernels::GhostFits<double, 2>&,
@@ -262,10 +171,9 @@ template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double
 template void find_record_loads<double, 3>(const Lattice<3>&, const FieldStore<double, 3>&,
                                            const Shape&, const Boundaries<3>&, int,
                                            Population<double, 3>&);
-template Point<3> present_normal<double, 3>(const Lattice<3>&, const Layout<3>&,
-                                            const FieldStore<double, 3>&, const Cell<3>&,
-                                            const Point<3>&);
-template void find_ghost_loads<double, 3>(Population<double, 3>&, int);
+template void find_ghost_loads<double, 3>(const Lattice<3>&, const FieldStore<double, 3>&,
+                                          const Shape&, const Boundaries<3>&, int,
+                                          Population<double, 3>&);
 template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double, 3>&,
                                                                const BlockGhosts<double, 3>&,
                                                                const kernels::GhostFits<double, 3>&,
@@ -274,10 +182,9 @@ template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double
 template void find_record_loads<float, 2>(const Lattice<2>&, const FieldStore<float, 2>&,
                                           const Shape&, const Boundaries<2>&, int,
                                           Population<float, 2>&);
-template Point<2> present_normal<float, 2>(const Lattice<2>&, const Layout<2>&,
-                                           const FieldStore<float, 2>&, const Cell<2>&,
-                                           const Point<2>&);
-template void find_ghost_loads<float, 2>(Population<float, 2>&, int);
+template void find_ghost_loads<float, 2>(const Lattice<2>&, const FieldStore<float, 2>&,
+                                         const Shape&, const Boundaries<2>&, int,
+                                         Population<float, 2>&);
 template kernels::SurfaceLoad<float, 2> mixed_load<float, 2>(const Body<float, 2>&,
                                                              const BlockGhosts<float, 2>&,
                                                              const kernels::GhostFits<float, 2>&,
@@ -285,10 +192,9 @@ template kernels::SurfaceLoad<float, 2> mixed_load<float, 2>(const Body<float, 2
 template void find_record_loads<float, 3>(const Lattice<3>&, const FieldStore<float, 3>&,
                                           const Shape&, const Boundaries<3>&, int,
                                           Population<float, 3>&);
-template Point<3> present_normal<float, 3>(const Lattice<3>&, const Layout<3>&,
-                                           const FieldStore<float, 3>&, const Cell<3>&,
-                                           const Point<3>&);
-template void find_ghost_loads<float, 3>(Population<float, 3>&, int);
+template void find_ghost_loads<float, 3>(const Lattice<3>&, const FieldStore<float, 3>&,
+                                         const Shape&, const Boundaries<3>&, int,
+                                         Population<float, 3>&);
 template kernels::SurfaceLoad<float, 3> mixed_load<float, 3>(const Body<float, 3>&,
                                                              const BlockGhosts<float, 3>&,
                                                              const kernels::GhostFits<float, 3>&,

@@ -41,6 +41,7 @@ void number_records(Population<T, D>& population, const LevelSet<T, D>& level_se
   list_slots_of_records(population);
   population.surface_distance.clear();
   population.load.assign(population.slot_of_record.size(), no_load);
+  population.loaded_share.assign(population.slot_of_record.size(), T(1));
   population.face.assign(population.slot_of_record.size(), {});
   population.slope.assign(population.slot_of_record.size(), {});
   for (const std::int32_t slot : population.slot_of_record) {

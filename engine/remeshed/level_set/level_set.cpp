@@ -84,8 +84,40 @@ void LevelSet<T, D>::find_closest_points(const Block<D>& block,
     }
     near.add(p, cell, as_point<D>(cell));
   });
-  near.run(*lattice_, *layout_, extended_, 3, 12, kernels);
-  for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i);
+  constexpr int farthest_move = 3, iterations = 12;
+  near.run(*lattice_, *layout_, extended_, farthest_move, iterations, kernels);
+  thread_local Projections<T, D> again;
+  again.clear(block.lower);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    Point<D> start;
+    if (passes_surface(near, i, start)) {
+      again.add(near.slot(i), near.cell(i), start);
+    } else {
+      place_near(near, i);
+    }
+  }
+  again.run(*lattice_, *layout_, extended_, farthest_move, iterations, kernels);
+  for (std::size_t i = 0; i < again.size(); ++i) place_near(again, i);
+}
+
+// Whether the surface has a nearer place, on a lattice line. From a node on the bisector of an
+// edge, the iteration may end on the edge, where the distance is stationary but not least.
+template <class T, int D>
+bool LevelSet<T, D>::passes_surface(const Projections<T, D>& near, std::size_t i,
+                                    Point<D>& nearer) const {
+  constexpr double least_gain = 0.1;  // cells
+  if (!near.has_converged(i)) return false;
+  const Point<D> node = near.node(i);
+  const double distance = norm<D>(difference<D>(near.point(i), node));
+  const double expected = std::abs(extended_[near.slot(i)]) / lattice_->spacing;
+  Point<D> offset;
+  if (distance < expected + least_gain ||
+      !nearest_crossing<T, D>(*lattice_, *layout_, extended_, near.cell(i), offset) ||
+      norm<D>(offset) > distance - least_gain) {
+    return false;
+  }
+  for (int a = 0; a < D; ++a) nearer[a] = node[a] + offset[a];
+  return true;
 }
 
 // Whether a step from a node along grad phi, (RP.41), reaches the surface. Where a contact wall has

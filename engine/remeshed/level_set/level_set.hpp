@@ -93,6 +93,7 @@ class LevelSet {
       failed.clear();
     }
   };
+  bool passes_surface(const Projections<T, D>& near, std::size_t i, Point<D>& nearer) const;
   void place_near(const Projections<T, D>& near, std::size_t i);
   bool lies_near_edge(const kernels::Segment<D>& segment, std::int64_t slot,
                       const Cell<D>& cell) const;

@@ -46,8 +46,7 @@ class FacetLoads {
   }
 
  private:
-  static constexpr double one_face = 0.8;  // cosine between normals of one face
-  static constexpr int samples = 16;       // along a facet
+  static constexpr int samples = 16;  // along a facet
 
   static bool is_one_face(const std::array<InitialFace<D>, D>& faces) {
     return std::ranges::all_of(faces, [&](const InitialFace<D>& face) {

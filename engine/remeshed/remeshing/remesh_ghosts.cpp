@@ -58,7 +58,9 @@ void Remeshing<T, D>::add_loads(PhaseRows& rows) {
             near(with_images(new_state) + whole(new_loads) + whole(record_numbers)) +
                 own(whole(new_fits)),
             own(whole(new_fits)), [this](int b) {
-              if (is_final_) find_ghost_loads(body_.spare, b);
+              if (!is_final_) return;
+              find_ghost_loads(body_.lattice, body_.stage[1], initial_surface_, boundaries_, b,
+                               body_.spare);
             });
   rows.each("loaded facets", near(with_images(new_state) + with_images(new_kinds)),
             own(whole(loaded_facets)), [this](int b) {

@@ -66,9 +66,14 @@ struct BlockGhosts {
   std::vector<std::int8_t> wall;      ///< wall of a wall or contact ghost; -1: free surface
   std::vector<std::uint8_t> active;   ///< whether the ghost sets its slot; see `contact`
   std::vector<std::int8_t> pressure;  ///< load on it; see record_loads.hpp
-  std::vector<std::int32_t> edge;     ///< slot at the edge of contact next to it, (RP.81)
-  std::vector<Point<D>> normal;       ///< of the wall; next to an edge, that of the body's side
-  std::vector<Point<D>> foot;         ///< foot point at xi = 0 [m]
+  /// [ghost * D + i] the faces near a ghost under several loads: the normal at the remeshing, zero
+  /// where there is no face, the load, and the share of the face on which it acts, (RP.78).
+  std::vector<std::array<T, D>> face;
+  std::vector<std::int8_t> face_load;
+  std::vector<T> face_share;
+  std::vector<std::int32_t> edge;  ///< slot at the edge of contact next to it, (RP.81)
+  std::vector<Point<D>> normal;    ///< of the wall; next to an edge, that of the body's side
+  std::vector<Point<D>> foot;      ///< foot point at xi = 0 [m]
   std::vector<kernels::FitTerms<T, D>> terms;  ///< of the fits (RP.43), (RP.44)
   std::vector<T> constrained_sum;              ///< sum of the coefficients b
   std::vector<T> surface_sum;                ///< sum of a: 1, or 0 where the surface ends at a wall
@@ -98,6 +103,9 @@ struct BlockGhosts {
     f(Field::wall, &G::wall);
     f(Field::active, &G::active);
     f(Field::pressure, &G::pressure);
+    f(Field::ghost_face, &G::face);
+    f(Field::ghost_face_load, &G::face_load);
+    f(Field::ghost_face_share, &G::face_share);
     f(Field::edge, &G::edge);
     f(Field::normal, &G::normal);
     f(Field::foot, &G::foot);
@@ -169,6 +177,7 @@ struct Population {
   std::vector<std::int32_t> slot_of_record;
   std::vector<T> surface_distance;      ///< [record] phi over h at the remeshing
   std::vector<std::int8_t> load;        ///< [record] load on the nearest face
+  std::vector<T> loaded_share;          ///< [record] share of the face there on which it acts
   std::vector<std::array<T, D>> face;   ///< [record] its normal at the remeshing, (RP.78)
   std::vector<std::array<T, D>> slope;  ///< [record] grad phi there
   std::int64_t particles = 0;           ///< interior

@@ -110,6 +110,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
       list_name(group, Field::record_load),
       std::span<const std::uint8_t>(reinterpret_cast<const std::uint8_t*>(population.load.data()),
                                     population.load.size()));
+  archive.put(list_name(group, Field::loaded_share), std::span<const T>(population.loaded_share));
   const auto put_vectors = [&](Field field, const std::vector<std::array<T, D>>& vectors) {
     std::vector<T> values;
     values.reserve(D * vectors.size());
@@ -158,6 +159,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   list_slots_of_records(population);
   population.load.resize(population.slot_of_record.size());
   archive.read(list_name(group, Field::record_load), numbers_of(population.load));
+  population.loaded_share = archive.get<T>(list_name(group, Field::loaded_share));
   population.face.resize(population.slot_of_record.size());
   archive.read(list_name(group, Field::record_face), numbers_of(population.face));
   population.slope.resize(population.slot_of_record.size());

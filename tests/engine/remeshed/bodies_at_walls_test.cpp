@@ -112,7 +112,7 @@ name = "load"
 kind = "traction"
 geometry = { shape = "box", lower = [13.999, -9], upper = [20, 9] }
 traction = )toml"),
-              1, 0.04);
+              1, 0.042);
 }
 
 // A block of 1 m between two frictionless walls at 45 degrees to the lattice, pressed by 0.1 m.

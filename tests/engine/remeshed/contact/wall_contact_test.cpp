@@ -194,7 +194,7 @@ TEST(wall_contact, the_force_of_a_slip_wall_is_that_on_its_present_area) {
   block.gravity = "0, 0, 0";
   const std::string press =
       "{ name = \"load\", kind = \"pressure\", pressure = \"5*min(t/0.2,1)\", geometry = { shape = "
-      "\"box\", lower = [-9, 0.195], upper = [9, 9] } }";
+      "\"box\", lower = [-9, 0.1999999], upper = [9, 9] } }";
   Case settings = case_of(block);
   const std::string wall =
       "{ name = \"wall\", kind = \"slip_wall\", geometry = { shape = \"half_space\", point = [0, "
