@@ -14,4 +14,11 @@ void push_tightly(std::vector<V>& list, V value) {
   list.push_back(value);
 }
 
+/// Sets the length and all values of such a list.
+template <class V>
+void assign_tightly(std::vector<V>& list, std::size_t size, V value) {
+  if (size > list.capacity()) list.reserve(size + size / 8);
+  list.assign(size, value);
+}
+
 }  // namespace pliant

@@ -234,6 +234,14 @@ void Step<T, D>::set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) co
 }
 
 template <class T, int D>
+undeformed::Secant Step<T, D>::sample(Body<T, D>& body, const Block<D>& range) {
+  return undeformed::take_sample<T, D>(
+      body, range.first_slot, range.slot_count,
+      [&body](int a, std::int64_t slot) { return body.displacement[a][slot]; },
+      [&body](int a, std::int64_t slot) { return body.internal[a][slot]; });
+}
+
+template <class T, int D>
 void Step<T, D>::move(int block) {
   const auto [body, local] = owner(block);
   const Block<D>& range = body.layout.blocks()[local];
@@ -248,12 +256,7 @@ void Step<T, D>::move(int block) {
   for (int a = 0; a < D; ++a) work.force[a] = force[a].get();
   boundary_forces_.begin_motion(block);
   results_[block] = kernels_.advance_motion(work);
-  if (advance_.samples) {
-    secants_[block] = undeformed::take_sample<T, D>(
-        body, range.first_slot, range.slot_count,
-        [&](int a, std::int64_t slot) { return body.displacement[a][slot]; },
-        [&](int a, std::int64_t slot) { return body.internal[a][slot]; });
-  }
+  if (advance_.samples) secants_[block] = sample(body, range);
   boundary_forces_.hold(block);
   if (!bodies_touch()) boundary_forces_.end_motion(block);
 }

@@ -57,6 +57,7 @@ class Step {
   void set_cells(const Body<T, D>& body, int local, kernels::Motion<T, D>& work) const;
   void set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) const;
   void reserve_forces();
+  static undeformed::Secant sample(Body<T, D>& body, const Block<D>& range);
   void move(int block);
 
   struct Owned {

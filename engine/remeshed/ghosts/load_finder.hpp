@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <span>
 
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/remeshed/ghosts/initial_faces.hpp"
@@ -110,13 +110,13 @@ class LoadFinder {
       ends = ends || load_at<D>(boundaries_, x) != load;
     });
     if (!ends) return {load, 1};
-    thread_local std::vector<Sample> on_face;
-    on_face.clear();
+    std::array<Sample, D == 2 ? 2 * samples : 4 * samples * samples> on_face;
+    std::size_t count = 0;
     for_each_place(face.normal, middle, samples, [&](const Point<D>& x, double distance) {
       const InitialFace<D> beside = face_at<D>(boundaries_, surface_, x);
-      if (dot<D>(beside.normal, face.normal) > one_face) on_face.push_back({distance, beside.load});
+      if (dot<D>(beside.normal, face.normal) > one_face) on_face[count++] = {distance, beside.load};
     });
-    return on_face.empty() ? PartialLoad{load, 1} : load_of_nearest(on_face);
+    return count == 0 ? PartialLoad{load, 1} : load_of_nearest(std::span(on_face).first(count));
   }
 
   struct Sample {
@@ -125,7 +125,7 @@ class LoadFinder {
   };
 
   /// The load on those samples that are as many as those of one spacing, or all.
-  static PartialLoad load_of_nearest(std::vector<Sample>& on_face) {
+  static PartialLoad load_of_nearest(std::span<Sample> on_face) {
     std::ranges::sort(on_face, {}, &Sample::distance);
     const std::size_t of_spacing = D == 2 ? samples : samples * samples;
     const double reach = on_face[std::min(of_spacing, on_face.size()) - 1].distance;

@@ -4,6 +4,7 @@
 
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/ghosts/load_finder.hpp"
+#include "engine/storage/push_tightly.hpp"
 
 namespace pliant::remeshed {
 
@@ -62,9 +63,10 @@ void find_ghost_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields,
                       Population<T, D>& population) {
   const LoadFinder<T, D> finder(lattice, population.layout, fields, surface, boundaries);
   BlockGhosts<T, D>& ghosts = population.ghosts[block];
-  ghosts.face.assign(ghosts.slot.size() * D, {});
-  ghosts.face_load.assign(ghosts.slot.size() * D, no_load);
-  ghosts.face_share.assign(ghosts.slot.size() * D, 0);
+  const std::size_t faces = ghosts.slot.size() * D;
+  assign_tightly(ghosts.face, faces, std::array<T, D>{});
+  assign_tightly(ghosts.face_load, faces, no_load);
+  assign_tightly(ghosts.face_share, faces, T(0));
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
     if (ghosts.wall[g] >= 0) continue;
     ghosts.pressure[g] = load_of_faces<T, D>(boundaries, population, ghosts, g);

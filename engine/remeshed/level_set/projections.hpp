@@ -19,6 +19,27 @@ class Projections {
   void clear(const Cell<D>& nearby);
   void add(std::int64_t slot, const Cell<D>& node, const Point<D>& start);
 
+  /// Keeps the nodes for which new_start(i, start) is true, with these starts.
+  template <class F>
+  void restart(F&& new_start) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      Point<D> start;
+      if (!new_start(i, start)) continue;
+      slot_[kept] = slot_[i];
+      for (int a = 0; a < D; ++a) {
+        node_[a][kept] = node_[a][i];
+        point_[a][kept] = static_cast<T>(start[a] - origin_[a]);
+      }
+      ++kept;
+    }
+    slot_.resize(kept);
+    for (int a = 0; a < D; ++a) {
+      node_[a].resize(kept);
+      point_[a].resize(kept);
+    }
+  }
+
   /// Moves all points onto the zero set of `values`. Points that would move more than
   /// `farthest_move` cells out of the box around all starts may not converge.
   void run(const Lattice<D>& lattice, const Layout<D>& layout, const T* values, int farthest_move,

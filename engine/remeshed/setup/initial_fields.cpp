@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/blocks/box.hpp"
 #include "engine/case/attached_walls.hpp"
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
 #include "engine/method/initial_velocity.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
 #include "engine/remeshed/setup/initial_state.hpp"
