@@ -70,6 +70,19 @@ void check_walls_that_turn(const Check& check) {
   }
 }
 
+// Determinants of the moment matrices in 3D are of the size of h^6.
+void check_precision(const Check& check) {
+  constexpr double least_spacing = 1e-6;  // [m]
+  const Case& a_case = check.a_case;
+  if (a_case.precision != Precision::binary32 || a_case.dimension == 2) return;
+  if (a_case.discretisation.spacing > 0.99 * least_spacing) return;
+  check.problems.add(
+      check.place("precision", ""),
+      fmt::format("single precision cannot hold the sixth power of a spacing of {} m",
+                  a_case.discretisation.spacing),
+      "write precision = \"double\", or give lengths in millimetres");
+}
+
 // The moment-matrix gradient is compiled for every kernel, those of H&K only for the quartic
 // spline.
 void check_gradient(const Check& check) {
@@ -83,6 +96,7 @@ void check_gradient(const Check& check) {
 
 void check(const Check& check) {
   check_gradient(check);
+  check_precision(check);
   check_contact_steps(check);
   check_tractions(check);
   check_walls_that_turn(check);

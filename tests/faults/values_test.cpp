@@ -36,6 +36,17 @@ const Fault faults[] = {
      "block.toml:5: end must be a number, found true; write it as in end = 0.02"},
     {"a_flag_that_is_a_number", extended("[output]\nghosts = 1\n"),
      "block.toml:11: ghosts must be true or false, found 1; write it as in ghosts = false"},
+    {"a_spacing_that_single_precision_does_not_hold", R"(dimension = 3
+precision = "single"
+discretisation = { spacing = 1e-7 }
+time = { end = 1 }
+[[body]]
+name = "cell"
+geometry = { shape = "ball", centre = [0, 0, 0], radius = 1e-6 }
+material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 2 }
+)",
+     "block.toml:2: single precision cannot hold the sixth power of a spacing of 1e-07 m; write "
+     "precision = \"double\", or give lengths in millimetres"},
     {"a_title_that_is_a_number", broken("\"a block\"", "7"),
      "block.toml:1: title must be a text, found 7; write it as in title = \"A case\""},
     {"a_whole_number_with_a_fraction", extended("[level_set]\nreinitialise_every = 2.5\n"),

@@ -181,20 +181,21 @@ class LoadFinder {
   // For a place on the bisector of an edge, rounding would decide which face is nearest: the one
   // with more load is preferred.
   LoadedFace nearest_face(const Point<D>& start) const {
-    LoadedFace nearest = loaded_face(start);
+    LoadedFace nearest = with_load(face_at<D>(boundaries_, surface_, start));
     for (int a = 0; a < D && nearest.share() < 1; ++a) {
       for (const double way : {-known, known}) {
         Point<D> beside = start;
         beside[a] += way * lattice_.spacing;
-        const LoadedFace other = loaded_face(beside);
+        const InitialFace<D> face = face_at<D>(boundaries_, surface_, beside);
+        if (dot<D>(face.normal, nearest.face.normal) > one_face) continue;
+        const LoadedFace other = with_load(face);
         if (other.share() > nearest.share()) nearest = other;
       }
     }
     return nearest;
   }
 
-  LoadedFace loaded_face(const Point<D>& start) const {
-    const InitialFace<D> face = face_at<D>(boundaries_, surface_, start);
+  LoadedFace with_load(const InitialFace<D>& face) const {
     return {face, load_around(face, face.place)};
   }
 
