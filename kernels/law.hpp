@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/cauchy_stress.hpp"
 #include "kernels/linear_elastic.hpp"
 #include "kernels/reduced_polynomial.hpp"
 
@@ -38,9 +39,10 @@ struct Law {
   }
 };
 
+/// What laws of materials that carry F share.
 template <class P, int D>
-struct Law<Model::reduced_polynomial, P, D> {
-  static constexpr int components = material_component_count<D>(Model::reduced_polynomial);
+struct LawOfDeformation {
+  static constexpr int components = D * D;
   static constexpr int symmetric = symmetric_components<D>;
   using Constants = Material<Scalar<P>>;
 
@@ -48,6 +50,13 @@ struct Law<Model::reduced_polynomial, P, D> {
                    P (&result)[components]) {
     deformation_rate<P, D>(f, gradient, result);
   }
+};
+
+template <class P, int D>
+struct Law<Model::reduced_polynomial, P, D> : LawOfDeformation<P, D> {
+  using Base = LawOfDeformation<P, D>;
+  using Base::components, Base::symmetric;
+  using typename Base::Constants;
 
   static P pressure(const Constants& material, const P (&f)[components], const P&) {
     return polynomial_pressure(material, determinant(f));
@@ -69,5 +78,41 @@ struct Law<Model::reduced_polynomial, P, D> {
     return polynomial_wave_speed2<P, D>(material, isochoric_strain<P, D>(f), density);
   }
 };
+
+/// Laws of which stress, pressure and wave speed follow from B and J.
+template <auto stress_of, class P, int D>
+struct LawOfStretch : LawOfDeformation<P, D> {
+  using Base = LawOfDeformation<P, D>;
+  using Base::components, Base::symmetric;
+  using typename Base::Constants;
+
+  static CauchyStress<P, D> cauchy_stress(const Constants& material, const P (&f)[components]) {
+    P b[symmetric];
+    left_cauchy_green<P, D>(f, b);
+    return stress_of(material, determinant(f), b);
+  }
+
+  static P pressure(const Constants& material, const P (&f)[components], const P&) {
+    return cauchy_stress(material, f).pressure();
+  }
+
+  static void stress(const Constants& material, const P (&f)[components], const P&,
+                     P (&sigma)[symmetric]) {
+    const CauchyStress<P, D> stress = cauchy_stress(material, f);
+#pragma GCC unroll 6
+    for (int c = 0; c < symmetric; ++c) sigma[c] = stress.sigma[c];
+  }
+
+  static P wave_speed2(const Constants& material, const P (&f)[components], const P& density) {
+    return cauchy_stress(material, f).wave_modulus / density;
+  }
+};
+
+template <class P, int D>
+struct Law<Model::neo_hookean, P, D> : LawOfStretch<neo_hookean_stress<P, D>, P, D> {};
+
+template <class P, int D>
+struct Law<Model::st_venant_kirchhoff, P, D>
+    : LawOfStretch<st_venant_kirchhoff_stress<P, D>, P, D> {};
 
 }  // namespace pliant::kernels

@@ -6,8 +6,19 @@
 
 namespace pliant::kernels {
 
-/// Constitutive law: (RP.3) with (RP.5) or (RP.6), or (RP.9).
-enum class Model : std::uint8_t { linear, linear_logarithmic, reduced_polynomial };
+/// Constitutive law: (RP.3) with (RP.5) or (RP.6), (RP.9), (PB.6), or (PB.7).
+enum class Model : std::uint8_t {
+  linear,
+  linear_logarithmic,
+  reduced_polynomial,
+  neo_hookean,
+  st_venant_kirchhoff
+};
+
+/// Whether particles of a material carry F, not S.
+constexpr bool carries_deformation(Model model) {
+  return model != Model::linear && model != Model::linear_logarithmic;
+}
 
 /// Smoothing kernel of the moment-matrix gradient: (RP.15) to (RP.18).
 enum class Kernel : std::uint8_t { quartic_spline, quartic_spline_fit, compact, fourth_order };
@@ -45,10 +56,16 @@ T wave_speed_at_rest(const Material<T>& material) {
                    material.density);
 }
 
-/// Components of S (linear) or F (reduced polynomial) that a particle carries.
+/// Lame's first constant lambda [Pa].
+template <class T>
+T lame_modulus(const Material<T>& material) {
+  return material.bulk_modulus - T(2) / T(3) * material.shear_modulus;
+}
+
+/// Components of S or F that a particle carries.
 template <int D>
 constexpr int material_component_count(Model model) {
-  return model == Model::reduced_polynomial ? D * D : D * (D + 1) / 2;
+  return carries_deformation(model) ? D * D : D * (D + 1) / 2;
 }
 
 }  // namespace pliant::kernels

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/left_cauchy_green.hpp"
 #include "kernels/material.hpp"
 #include "kernels/roots.hpp"
 
@@ -49,19 +50,12 @@ inline IsochoricStrain<P, D> isochoric_strain(const P (&f)[D * D]) {
   strain.volume_ratio = determinant(f);
   const P root = inverse_cube_root(strain.volume_ratio);
   const P scale = root * root;
+  left_cauchy_green<P, D>(f, strain.deviator);
   P trace = D == 2 ? scale : P(T(0));
+#pragma GCC unroll 6
+  for (int c = 0; c < symmetric_components<D>; ++c) strain.deviator[c] = strain.deviator[c] * scale;
 #pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) {
-#pragma GCC unroll 3
-    for (int j = i; j < D; ++j) {
-      P b = f[i * D] * f[j * D];
-#pragma GCC unroll 3
-      for (int k = 1; k < D; ++k) b = fused(f[i * D + k], f[j * D + k], b);
-      b = b * scale;
-      strain.deviator[symmetric_index<D>(i, j)] = b;
-      if (i == j) trace = trace + b;
-    }
-  }
+  for (int i = 0; i < D; ++i) trace = trace + strain.deviator[symmetric_index<D>(i, i)];
   const P mean = trace * P(T(1) / T(3));
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {

@@ -1,31 +1,11 @@
 #pragma once
 
 #include "kernels/first_piola.hpp"
+#include "kernels/left_cauchy_green.hpp"
 #include "kernels/roots.hpp"
 
 /// Bounds on how much stiffer a deformed material is to plane waves than at rest.
 namespace pliant::kernels {
-
-/// Upper bound of the largest eigenvalue: mean + sqrt((D - 1)/D) times the norm of the deviator;
-/// exact if the other eigenvalues are equal.
-template <class P, int D>
-inline P eigenvalue_bound(const P (&tensor)[symmetric_components<D>]) {
-  using T = Scalar<P>;
-  P mean = tensor[symmetric_index<D>(0, 0)], square(T(0));
-#pragma GCC unroll 3
-  for (int i = 1; i < D; ++i) mean = mean + tensor[symmetric_index<D>(i, i)];
-  mean = mean * P(T(1) / T(D));
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) {
-#pragma GCC unroll 3
-    for (int j = i; j < D; ++j) {
-      const P& component = tensor[symmetric_index<D>(i, j)];
-      const P part = i == j ? component - mean : component;
-      square = fused(i == j ? part : part + part, part, square);
-    }
-  }
-  return mean + xsimd::sqrt(P(T(D - 1) / T(D)) * square);
-}
 
 /// Upper bound of the square of the largest singular value.
 template <class P, int D>

@@ -11,7 +11,7 @@ namespace pliant::bench {
 constexpr double flop_per_stage(kernels::Kernel kernel, kernels::Model model, int dimension = 2) {
   using kernels::Kernel;
   using kernels::Model;
-  const bool plane = dimension == 2, deforms = model == Model::reduced_polynomial;
+  const bool plane = dimension == 2, deforms = carries_deformation(model);
   const int neighbours = kernel == Kernel::compact ? (plane ? 8 : 26) : (plane ? 24 : 92);
   // omega of (RP.15): s^2 1, 1/s 20, s 1, two cubes 12, the polynomial near zero 1; (RP.16): t 3,
   // series 4, powers 3; (RP.17): t 3, powers 2.

@@ -81,11 +81,8 @@ void refuse_boundaries(const Check& check, BoundaryCase::Kind kind);
 /// Adds a problem for a key at the top level of the case.
 void refuse_key(const Check& check, std::string_view key);
 
-/// Adds a problem for each body whose material only methods on the undeformed body support.
-void refuse_models_of_undeformed_bodies(const Check& check);
-
-/// Adds a problem if the shear modulus of body `i` relaxes.
-void refuse_prony_shear(const Check& check, std::size_t i);
+/// Adds a problem for each body whose shear modulus relaxes.
+void refuse_prony_shear(const Check& check);
 
 /// Adds a problem for each of these tables that the case contains.
 void refuse_tables(const Check& check, std::initializer_list<std::string_view> tables);

@@ -28,6 +28,7 @@ void check(const Check& check) {
         "method \"finite_elements\" takes shape = \"mesh\" with a .msh or .vtk file of "
         "tetrahedra");
   }
+  refuse_prony_shear(check);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 

@@ -1,6 +1,5 @@
 #include "engine/method/hyperelastic.hpp"
 
-#include <cmath>
 #include <cstddef>
 
 #include "kernels/energy.hpp"
@@ -13,11 +12,11 @@ namespace {
 using Pack = xsimd::batch<double, xsimd::sse2>;
 using FullTensor = std::array<double, 9>;  // row by row
 
-kernels::ElasticLaw law_of(MaterialCase::Model model) {
+kernels::ElasticLaw law_of(kernels::Model model) {
   switch (model) {
-    case MaterialCase::Model::neo_hookean:
+    case kernels::Model::neo_hookean:
       return kernels::ElasticLaw::neo_hookean;
-    case MaterialCase::Model::st_venant_kirchhoff:
+    case kernels::Model::st_venant_kirchhoff:
       return kernels::ElasticLaw::st_venant_kirchhoff;
     default:
       return kernels::ElasticLaw::reduced_polynomial;
@@ -52,28 +51,6 @@ double determinant_of(const FullTensor& f) {
          f[2] * (f[3] * f[7] - f[4] * f[6]);
 }
 
-double energy_of(const kernels::HyperelasticMaterial<double>& material, const FullTensor& f) {
-  const double mu = material.shear_modulus, lambda = material.lame_modulus, j = determinant_of(f);
-  if (material.law == kernels::ElasticLaw::reduced_polynomial) {
-    return j * kernels::polynomial_energy<double, 3>(material.polynomial, f.data());
-  }
-  if (material.law == kernels::ElasticLaw::neo_hookean) {
-    double square = 0;
-    for (const double component : f) square += component * component;
-    return mu / 2 * (square - 3) - mu * std::log(j) + lambda / 2 * (j - 1) * (j - 1);
-  }
-  double trace = 0, square = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      double c = i == k ? -1 : 0;
-      for (int l = 0; l < 3; ++l) c += f[3 * l + i] * f[3 * l + k];
-      square += c * c / 4;
-      if (i == k) trace += c / 2;
-    }
-  }
-  return lambda / 2 * trace * trace + mu * square;
-}
-
 /// The 3D tensor of `f`; F_33 = 1 in plane strain.
 template <int D>
 FullTensor in_3d(const std::array<double, D * D>& f) {
@@ -88,8 +65,7 @@ FullTensor in_3d(const std::array<double, D * D>& f) {
 
 kernels::HyperelasticMaterial<double> hyperelastic_material(const BodyCase& body) {
   const kernels::Material<double>& m = body.material;
-  return {law_of(body.material_as_given.model), m.density, m.shear_modulus,
-          m.bulk_modulus - 2. / 3 * m.shear_modulus, m};
+  return {law_of(m.model), m.density, m.shear_modulus, kernels::lame_modulus(m), m};
 }
 
 double long_term_share(const std::vector<kernels::PronyTerm<double>>& prony) {
@@ -120,7 +96,7 @@ ElasticStress<D> elastic_stress(const kernels::HyperelasticMaterial<double>& mat
 template <int D>
 double elastic_energy(const kernels::HyperelasticMaterial<double>& material,
                       const std::array<double, D * D>& f) {
-  return energy_of(material, in_3d<D>(f));
+  return kernels::hyperelastic_energy<double, D>(material.polynomial, f.data());
 }
 
 template ElasticStress<2> elastic_stress(const kernels::HyperelasticMaterial<double>&,

@@ -83,6 +83,7 @@ void check(const Check& check) {
   refuse_tables(check, {"periodic"});
   for (std::size_t i = 0; i < a_case.cuts.size(); ++i) check_cut(check, i);
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
+  refuse_prony_shear(check);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 
@@ -133,7 +134,6 @@ void check_body(const Check& check, std::size_t i) {
         check.place("body", i, "material"), fmt::format("body \"{}\" relaxes in time", body.name),
         fmt::format("method \"{}\" takes materials without prony", check.a_case.method));
   }
-  refuse_prony_shear(check, i);
   if (body.stretch != Vector{1, 1, 1}) {
     check.problems.add(
         check.place("body", i, "stretch"), fmt::format("body \"{}\" starts stretched", body.name),

@@ -101,7 +101,7 @@ void check(const Check& check) {
   check_tractions(check);
   check_walls_that_turn(check);
   refuse_tables(check, {"cut"});
-  refuse_models_of_undeformed_bodies(check);
+  refuse_prony_shear(check);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 

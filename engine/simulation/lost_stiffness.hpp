@@ -62,8 +62,7 @@ inline std::string lost_stiffness_warning(const Solver& solver) {
   const Case& settings = solver.settings();
   if (!is_remeshed(settings)) return {};
   for (std::size_t b = 0; b < settings.bodies.size(); ++b) {
-    const kernels::Model model = settings.bodies[b].material.model;
-    if (model != kernels::Model::linear && model != kernels::Model::linear_logarithmic) continue;
+    if (kernels::carries_deformation(settings.bodies[b].material.model)) continue;
     const double share = share_without_stiffness(solver, static_cast<int>(b));
     if (share <= part) continue;
     return fmt::format(

@@ -20,7 +20,7 @@ void check(const Check& check) {
                        "method \"sph\" has free surfaces and periodic cells only",
                        "remove the boundaries, or write method = \"remeshed\"");
   }
-  refuse_models_of_undeformed_bodies(check);
+  refuse_prony_shear(check);
   refuse_measurements(check, remeshed::Measurer<double, 2>::is_measured_on_particles);
   if (a_case.output.surface) {
     check.problems.add(check.place("output", "surface"),

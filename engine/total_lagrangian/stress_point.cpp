@@ -47,10 +47,9 @@ double volumetric_energy(const kernels::Material<double>& material, double j) {
       return modulus * (j - 1 - std::log(j));
     case kernels::Model::linear_logarithmic:
       return modulus * (j * std::log(j) - j + 1);
-    case kernels::Model::reduced_polynomial:
-      break;
+    default:
+      return modulus / 2 * (j - 1) * (j - 1);
   }
-  return modulus / 2 * (j - 1) * (j - 1);
 }
 
 /// Present parts of the bulk Prony terms in the pressure and in the energy per volume (RP.64).

@@ -210,7 +210,8 @@ material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, densi
      "density, equation_of_state, youngs_modulus, poissons_ratio"},
     {"a_stretch_of_a_linear_material", extended("stretch = [1, 0.9]\n"),
      "block.toml:10: body \"block\" has an initial stretch, but its linear material has no "
-     "undeformed reference shape; use a material with model = \"reduced_polynomial\""},
+     R"(undeformed reference shape; use model = "reduced_polynomial", "neo_hookean" or )"
+     R"("st_venant_kirchhoff")"},
     {"a_stretch_of_zero", extended("stretch = [1, 0]\n"),
      "block.toml:10: stretch must be positive, got 0; write it as in stretch = [1, 0.95]"},
     {"an_unknown_model", broken("model = \"linear\"", "model = \"neo_hooke\""),

@@ -4,6 +4,10 @@
 
 namespace pliant::kernels::test {
 
+inline constexpr Model every_model[] = {Model::linear, Model::linear_logarithmic,
+                                        Model::reduced_polynomial, Model::neo_hookean,
+                                        Model::st_venant_kirchhoff};
+
 /// A patch with a random but valid state: positions, velocity, density and stress vary between
 /// particles by some per cent.
 template <class T, int D>
@@ -26,7 +30,7 @@ struct Body {
     for (std::int64_t s = 0; s < patch.slots; ++s) {
       mass[s] = material.density * cell_volume;
       state.volume[s] = cell_volume * (1 + small(random));
-      const bool deformation = model == Model::reduced_polynomial;
+      const bool deformation = carries_deformation(model);
       for (int c = 0; c < material_components<D>; ++c) {
         const T unit = c % (D + 1) == 0 ? T(1) : T(0);
         state.material[c][s] = deformation ? unit + small(random) : 10 * small(random);

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
-
 namespace pliant::kernels {
 namespace {
 
@@ -13,9 +11,6 @@ Material<double> material_of(Model model) {
   material.density = 1.5;
   material.bulk_modulus = 80;
   material.shear_modulus = 30;
-  material.order = 3;
-  material.coefficient = {10, 4, 2, 0, 0};
-  material.compressibility = 0.025;
   return material;
 }
 
@@ -46,27 +41,6 @@ TEST(energy, shear_part_is_the_work_of_hookes_law) {
   const double square = 9 + 2 * 4 + 25 + 64;
   EXPECT_DOUBLE_EQ((linear_energy<double, 2>(material, plane, material.density)), square / 120);
   EXPECT_DOUBLE_EQ((linear_energy<double, 3>(material, space, material.density)), square / 120);
-}
-
-template <int D>
-void expect_reduced_polynomial() {
-  const Material<double> m = material_of(Model::reduced_polynomial);
-  for (int trial = 0; trial < 20; ++trial) {
-    Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
-    f.topLeftCorner<D, D>() += 0.3 * Eigen::Matrix<double, D, D>::Random();
-    double rows[D * D];
-    for (int c = 0; c < D * D; ++c) rows[c] = f(c / D, c % D);
-    const double j = f.determinant();
-    const double excess = std::pow(j, -2. / 3) * (f * f.transpose()).trace() - 3;
-    double reference = (j - 1) * (j - 1) / m.compressibility;
-    for (int n = 1; n <= 3; ++n) reference += m.coefficient[n - 1] * std::pow(excess, n);
-    EXPECT_NEAR((polynomial_energy<double, D>(m, rows)), reference / j, 1e-12 * reference / j);
-  }
-}
-
-TEST(energy, reduced_polynomial_is_that_of_the_invariants) {
-  expect_reduced_polynomial<2>();
-  expect_reduced_polynomial<3>();
 }
 
 }  // namespace

@@ -131,8 +131,7 @@ Values<T> free_surface(const RemeshedTable<T, D>& kernels, Model, Kernel) {
 template <class T, int D, class Compare>
 void for_each_combination(const Compare& compare) {
   for (const auto& function : {steps<T, D>, surface<T, D>, remeshing<T, D>, free_surface<T, D>}) {
-    for (const Model model :
-         {Model::linear, Model::linear_logarithmic, Model::reduced_polynomial}) {
+    for (const Model model : every_model) {
       for (const Kernel kernel : {Kernel::quartic_spline, Kernel::quartic_spline_fit,
                                   Kernel::compact, Kernel::fourth_order}) {
         compare([&](Isa isa) { return function(RemeshedTable<T, D>::of(isa), model, kernel); });

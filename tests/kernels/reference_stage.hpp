@@ -208,7 +208,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
   const Matrix<D> strain = (gradient + gradient.transpose()) / 2;
   const Matrix<D> spin = (gradient - gradient.transpose()) / 2;
   rates.strain_rate = strain.norm();
-  if (body.material.model == Model::reduced_polynomial) {
+  if (carries_deformation(body.material.model)) {
     Matrix<D> f;
     for (int c = 0; c < D * D; ++c) f(c / D, c % D) = q.material[c][p];
     rates.material = gradient * f;
@@ -221,28 +221,40 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
   return rates;
 }
 
-/// sigma of (RP.2) with (RP.5), (RP.6) or (RP.9), in three dimensions if D is 2.
+/// sigma of (RP.9), (PB.6) or (PB.7) in three dimensions.
 template <class T, int D>
-Matrix<D> reference_stress(const Body<T, D>& body, const State<T, D>& q, std::int64_t p) {
+Eigen::Matrix3d reference_cauchy_stress(const Body<T, D>& body, const State<T, D>& q,
+                                        std::int64_t p) {
   const Material<T>& m = body.material;
-  const double ratio = body.mass[p] / q.volume[p] / m.density;
-  if (m.model != Model::reduced_polynomial) {
-    const double pressure =
-        m.bulk_modulus * (m.model == Model::linear ? ratio - 1 : std::log(ratio));
-    return symmetric_at<T, D>(q.material.data(), p) - pressure * Matrix<D>::Identity();
-  }
-  Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d f = one;
   for (int c = 0; c < D * D; ++c) f(c / D, c % D) = q.material[c][p];
-  const double j = f.determinant();
+  const double j = f.determinant(), mu = m.shear_modulus, lambda = m.bulk_modulus - 2. / 3 * mu;
+  if (m.model == Model::neo_hookean) {
+    return mu / j * (f * f.transpose() - one) + lambda * (j - 1) * one;
+  }
+  if (m.model == Model::st_venant_kirchhoff) {
+    const Eigen::Matrix3d e = (f.transpose() * f - one) / 2;
+    return f * (lambda * e.trace() * one + 2 * mu * e) * f.transpose() / j;
+  }
   const Eigen::Matrix3d b = std::pow(j, -2. / 3) * f * f.transpose();
   double slope = 0;
   for (int n = 1; n <= m.order; ++n) {
     slope += n * m.coefficient[n - 1] * std::pow(b.trace() - 3, n - 1);
   }
-  const Eigen::Matrix3d deviator = b - b.trace() / 3 * Eigen::Matrix3d::Identity();
-  const Eigen::Matrix3d sigma =
-      2 / j * slope * deviator + 2 / m.compressibility * (j - 1) * Eigen::Matrix3d::Identity();
-  return sigma.topLeftCorner<D, D>();
+  return 2 / j * slope * (b - b.trace() / 3 * one) + 2 / m.compressibility * (j - 1) * one;
+}
+
+/// sigma of (RP.2).
+template <class T, int D>
+Matrix<D> reference_stress(const Body<T, D>& body, const State<T, D>& q, std::int64_t p) {
+  const Material<T>& m = body.material;
+  if (carries_deformation(m.model)) {
+    return reference_cauchy_stress(body, q, p).template topLeftCorner<D, D>();
+  }
+  const double ratio = body.mass[p] / q.volume[p] / m.density;
+  const double pressure = m.bulk_modulus * (m.model == Model::linear ? ratio - 1 : std::log(ratio));
+  return symmetric_at<T, D>(q.material.data(), p) - pressure * Matrix<D>::Identity();
 }
 
 }  // namespace pliant::kernels::test

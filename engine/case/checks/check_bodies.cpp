@@ -71,7 +71,7 @@ void check_start(const Check& check, std::size_t index) {
         fmt::format("body \"{}\" has an initial stretch, but its linear material has no undeformed "
                     "reference shape",
                     body.name),
-        "use a material with model = \"reduced_polynomial\"");
+        "use model = \"reduced_polynomial\", \"neo_hookean\" or \"st_venant_kirchhoff\"");
   }
   if (body.stretch != Vector{1, 1, 1} && body.stress) {
     check.problems.add(

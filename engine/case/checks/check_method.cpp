@@ -51,25 +51,13 @@ void refuse_measurements(const Check& check, bool (*is_measured)(MeasurementCase
   }
 }
 
-void refuse_prony_shear(const Check& check, std::size_t i) {
-  if (check.a_case.bodies[i].material_as_given.prony_shear.ratios.empty()) return;
-  check.problems.add(
-      check.place("body", i, "material"),
-      fmt::format("method \"{}\" has no materials with prony_shear", check.a_case.method),
-      "leave it out, or take method = \"total_lagrangian\"");
-}
-
-void refuse_models_of_undeformed_bodies(const Check& check) {
-  using Model = MaterialCase::Model;
+void refuse_prony_shear(const Check& check) {
   for (std::size_t i = 0; i < check.a_case.bodies.size(); ++i) {
-    refuse_prony_shear(check, i);
-    const Model model = check.a_case.bodies[i].material_as_given.model;
-    if (model == Model::linear || model == Model::reduced_polynomial) continue;
+    if (check.a_case.bodies[i].material_as_given.prony_shear.ratios.empty()) continue;
     check.problems.add(
         check.place("body", i, "material"),
-        fmt::format("method \"{}\" has no material with model = \"{}\"", check.a_case.method,
-                    text_of(model)),
-        "take model = \"linear\" or \"reduced_polynomial\", or method = \"total_lagrangian\"");
+        fmt::format("method \"{}\" has no materials with prony_shear", check.a_case.method),
+        "leave it out, or take method = \"total_lagrangian\"");
   }
 }
 

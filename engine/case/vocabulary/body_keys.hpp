@@ -56,7 +56,7 @@ void body_keys(Visitor& visit, BodyCase& body) {
          .variables = "xyz"});
   visit("stretch", body.stretch,
         {.meaning = "initial stretch along each axis; geometry is the shape of the stretched body "
-                    "(reduced_polynomial only)",
+                    "(hyperelastic materials only)",
          .example = "[1, 0.95]",
          .limits = positive});
   visit("stress", body.stress,

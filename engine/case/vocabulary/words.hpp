@@ -72,10 +72,9 @@ inline constexpr std::array words<MaterialCase::Model>{
     word(MaterialCase::Model::reduced_polynomial, "reduced_polynomial",
          "hyperelastic reduced polynomial with up to five coefficients (RP.9)"),
     word(MaterialCase::Model::neo_hookean, "neo_hookean",
-         "hyperelastic, stable in compression (PB.6), for methods on the undeformed body"),
+         "hyperelastic, stable in compression (PB.6)"),
     word(MaterialCase::Model::st_venant_kirchhoff, "st_venant_kirchhoff",
-         "Hooke's law of the Green strain (PB.7), for methods on the undeformed body; loses "
-         "stiffness below a stretch of 0.58")};
+         "Hooke's law of the Green strain (PB.7); loses stiffness below a stretch of 0.58")};
 
 template <>
 inline constexpr std::array words<MaterialCase::EquationOfState>{

@@ -13,7 +13,7 @@ namespace pliant::remeshed {
 /// of (RP.50), which feeds modes that it damps.
 template <class T, int D>
 bool relaxes_shear(const Body<T, D>& body) {
-  return D == 2 && body.material.model != kernels::Model::reduced_polynomial && !body.bears_loads;
+  return D == 2 && !kernels::carries_deformation(body.material.model) && !body.bears_loads;
 }
 
 /// Whether ghosts move without the lasting part of (RP.50) and (RP.95). Bodies whose shear stress

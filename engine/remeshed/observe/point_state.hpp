@@ -65,8 +65,12 @@ auto by_law(const kernels::Material<T>& material, const FieldStore<T, D>& fields
       return call.template operator()<kernels::Model::linear>();
     case kernels::Model::linear_logarithmic:
       return call.template operator()<kernels::Model::linear_logarithmic>();
-    default:
+    case kernels::Model::reduced_polynomial:
       return call.template operator()<kernels::Model::reduced_polynomial>();
+    case kernels::Model::neo_hookean:
+      return call.template operator()<kernels::Model::neo_hookean>();
+    default:
+      return call.template operator()<kernels::Model::st_venant_kirchhoff>();
   }
 }
 
@@ -78,7 +82,7 @@ T memory_pressure(const FieldStore<T, D>& fields, std::int64_t slot) {
   return sum;
 }
 
-/// p of (RP.5), (RP.6), (RP.9) or (RP.10) [Pa].
+/// p of (RP.2), with the p_i of (RP.10) [Pa].
 template <class T, int D>
 T pressure(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t slot) {
   const kernels::Material<T>& material = body.material;
@@ -105,26 +109,24 @@ std::array<T, kernels::symmetric_components<D>> stress(const Body<T, D>& body,
   });
 }
 
-/// Elastic energy per current volume [J/m^3], (RP.62), (RP.63) or (RP.64). It is in double
-/// precision, since it is quadratic in a small strain.
+/// Elastic energy per current volume [J/m^3], (RP.62), (RP.63), (RP.64), (PB.6) or (PB.7). It is in
+/// double precision, since it is quadratic in a small strain.
 template <class T, int D>
 double energy_density(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t slot) {
   const auto material = kernels::with_scalar<double>(body.material);
   std::array<double, kernels::material_components<D>> state;
   std::ranges::copy(material_state<T, D>(fields, slot), state.begin());
-  if (material.model != kernels::Model::reduced_polynomial) {
+  if (!kernels::carries_deformation(material.model)) {
     return kernels::linear_energy<double, D>(material, state.data(), density<T, D>(fields, slot));
   }
-  double energy = kernels::polynomial_energy<double, D>(material, state.data());
-  if (body.prony.empty()) return energy;
   const double volume_ratio = kernels::determinant<double, D>(state);
+  double energy = kernels::hyperelastic_energy<double, D>(material, state.data());
   for (std::size_t i = 0; i < body.prony.size(); ++i) {
     const kernels::PronyTerm<double> term{body.prony[i].ratio, body.prony[i].time};
     const double pressure = fields.get(Field::memory_pressure, static_cast<int>(i))[slot];
-    energy += kernels::relaxed_energy(term, material.bulk_modulus, pressure, volume_ratio - 1) /
-              volume_ratio;
+    energy += kernels::relaxed_energy(term, material.bulk_modulus, pressure, volume_ratio - 1);
   }
-  return energy;
+  return energy / volume_ratio;
 }
 
 }  // namespace pliant::remeshed

@@ -82,7 +82,7 @@ void Remeshing<T, D>::find_facets(const LatticeView<T, D>& view, int block) {
 template <class T, int D>
 void Remeshing<T, D>::find_kinds(int block) {
   if (body_.has_surface) level_set_.finish(body_.spare.layout.blocks()[block]);
-  if (body_.material.model == kernels::Model::reduced_polynomial &&
+  if (kernels::carries_deformation(body_.material.model) &&
       parameters_.determinant == Determinant::from_density) {
     fields_.match_volumes(block);
   }

@@ -36,7 +36,7 @@ bool set_initial_fields(const Case& settings, Body<T, D>& body, T* valid) {
   const Shape surface = initial_surface(settings, source);
   FieldStore<T, D>& state = body.stage[1];
   const T volume = static_cast<T>(std::pow(h, D));
-  const bool deforms = body.material.model == kernels::Model::reduced_polynomial;
+  const bool deforms = kernels::carries_deformation(body.material.model);
   T volume_ratio = 1;
   for (int a = 0; a < D; ++a) volume_ratio *= static_cast<T>(source.stretch[a]);
   bool has_surface = false;

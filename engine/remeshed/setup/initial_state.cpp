@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/method/decompositions.hpp"
+#include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
 
 namespace pliant::remeshed {
@@ -16,27 +17,27 @@ namespace {
 template <int D>
 using Principal = Eigen::Matrix<double, D, 1>;
 
-/// Principal Cauchy stresses of (RP.9) at logarithmic stretches; plane strain in 2D.
+/// Principal Cauchy stresses at logarithmic stretches; plane strain in 2D.
 template <int D>
-Principal<D> principal_stresses(const kernels::Material<double>& m, const Principal<D>& strain) {
-  const double j = std::exp(strain.sum()), scale = std::pow(j, -2. / 3);
-  const Principal<D> squares = (2 * strain).array().exp();
-  const double sum = squares.sum() + (D == 2 ? 1 : 0), excess = scale * sum - 3;
-  double slope = 0;
-  for (int n = m.order; n >= 1; --n) slope = slope * excess + n * m.coefficient[n - 1];
-  const double volumetric = 2 / m.compressibility * (j - 1);
-  return (2 * slope * scale / j * (squares.array() - sum / 3) + volumetric).matrix();
+Principal<D> principal_stresses(const kernels::HyperelasticMaterial<double>& material,
+                                const Principal<D>& strain) {
+  std::array<double, D* D> f = {};
+  for (int i = 0; i < D; ++i) f[(D + 1) * i] = std::exp(strain[i]);
+  const ElasticStress<D> elastic = elastic_stress<D>(material, f);
+  Principal<D> stress;
+  for (int i = 0; i < D; ++i) stress[i] = elastic.stress[kernels::symmetric_index<D>(i, i)];
+  return stress;
 }
 
 /// Newton's method from the undeformed state; steps that increase the residual are halved.
 template <int D>
-bool find_strain(const kernels::Material<double>& m, const Principal<D>& stress,
+bool find_strain(const kernels::HyperelasticMaterial<double>& material, const Principal<D>& stress,
                  Principal<D>& strain) {
   constexpr int most_steps = 60;
   constexpr double difference = 1e-6, close = 1e-11, largest = 0.2;
-  const double unit = m.bulk_modulus + m.shear_modulus;
+  const double unit = material.lame_modulus + 2 * material.shear_modulus;
   strain.setZero();
-  Principal<D> residual = principal_stresses<D>(m, strain) - stress;
+  Principal<D> residual = principal_stresses<D>(material, strain) - stress;
   for (int step = 0; step < most_steps; ++step) {
     if (residual.norm() <= close * unit) return true;
     Eigen::Matrix<double, D, D> slope;
@@ -44,8 +45,8 @@ bool find_strain(const kernels::Material<double>& m, const Principal<D>& stress,
       Principal<D> up = strain, down = strain;
       up[i] += difference;
       down[i] -= difference;
-      slope.col(i) =
-          (principal_stresses<D>(m, up) - principal_stresses<D>(m, down)) / (2 * difference);
+      slope.col(i) = (principal_stresses<D>(material, up) - principal_stresses<D>(material, down)) /
+                     (2 * difference);
     }
     Principal<D> change = -slope.partialPivLu().solve(residual);
     if (!change.allFinite()) return false;
@@ -53,7 +54,7 @@ bool find_strain(const kernels::Material<double>& m, const Principal<D>& stress,
     if (size > largest) change *= largest / size;
     Principal<D> next = residual;
     for (int halving = 0; halving < 30; ++halving, change /= 2) {
-      next = principal_stresses<D>(m, strain + change) - stress;
+      next = principal_stresses<D>(material, strain + change) - stress;
       if (next.norm() < residual.norm()) break;
     }
     strain += change;
@@ -67,7 +68,7 @@ InitialState<D> stretched_state(const BodyCase& body, const Eigen::Matrix<double
                                 const Vector& x) {
   const Eigensystem<D> axes = eigensystem<D>(stress);
   Principal<D> strain;
-  if (!find_strain<D>(body.material, axes.values, strain)) {
+  if (!find_strain<D>(hyperelastic_material(body), axes.values, strain)) {
     throw InputError(fmt::format(
         "body `{}`: no stretch of its material has the initial stress at ({:.4g}, {:.4g}, {:.4g}), "
         "whose largest component is {:.4g} Pa; use a smaller stress",
@@ -108,7 +109,7 @@ InitialState<D> linear_state(const BodyCase& body, const std::array<double, 6>& 
 template <int D>
 InitialState<D> state_under_stress(const BodyCase& body, const Vector& x) {
   const std::array<double, 6> stress = initial_stress(body, x, D);
-  if (body.material.model != kernels::Model::reduced_polynomial) {
+  if (!kernels::carries_deformation(body.material.model)) {
     return linear_state<D>(body, stress);
   }
   Eigen::Matrix<double, D, D> tensor;

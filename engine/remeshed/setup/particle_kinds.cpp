@@ -40,7 +40,7 @@ void reset_vacant_slot(FieldStore<T, D>& state, std::int64_t p,
   }
   state.get(Field::volume)[p] = volume;
   state.get(Field::mass)[p] = material.density * volume;
-  const bool deforms = material.model == kernels::Model::reduced_polynomial;
+  const bool deforms = kernels::carries_deformation(material.model);
   for (int c = 0; c < state.material_components(); ++c) {
     state.get(Field::material, c)[p] = deforms && c % (D + 1) == 0 ? T(1) : T(0);
   }

@@ -83,6 +83,10 @@ void write_surface_records(const SurfaceRecords<Scalar<P>, D>& block) {
       return write_records<Model::linear_logarithmic, P, D>(block);
     case Model::reduced_polynomial:
       return write_records<Model::reduced_polynomial, P, D>(block);
+    case Model::neo_hookean:
+      return write_records<Model::neo_hookean, P, D>(block);
+    case Model::st_venant_kirchhoff:
+      return write_records<Model::st_venant_kirchhoff, P, D>(block);
   }
 }
 

@@ -53,6 +53,10 @@ UpdateOfChunk<P, D> update_for(Model model) {
       return stage_update<Model::linear, place, P, D>;
     case Model::linear_logarithmic:
       return stage_update<Model::linear_logarithmic, place, P, D>;
+    case Model::neo_hookean:
+      return stage_update<Model::neo_hookean, place, P, D>;
+    case Model::st_venant_kirchhoff:
+      return stage_update<Model::st_venant_kirchhoff, place, P, D>;
     case Model::reduced_polynomial:
       break;
   }

@@ -46,6 +46,12 @@ StageResult evaluate_stress(const StressOfState<Scalar<P>, D>& block) {
     case Model::reduced_polynomial:
       wave_speed2 = stress_of_block<Model::reduced_polynomial, P, D>(block);
       break;
+    case Model::neo_hookean:
+      wave_speed2 = stress_of_block<Model::neo_hookean, P, D>(block);
+      break;
+    case Model::st_venant_kirchhoff:
+      wave_speed2 = stress_of_block<Model::st_venant_kirchhoff, P, D>(block);
+      break;
   }
   StageResult result;
   result.wave_speed = square_root<P>(wave_speed2);

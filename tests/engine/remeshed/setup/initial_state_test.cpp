@@ -49,6 +49,9 @@ TEST(initial_state, has_the_stress_that_the_case_asks_for) {
       R"(poissons_ratio = 0.3, density = 2 })";
   const std::string polynomial =
       R"({ model = "reduced_polynomial", coefficients = [8, 3], compressibility = 0.02, density = 2 })";
+  const auto with_model = [&given](const std::string& model) {
+    return tests::with(given, "linear", model);
+  };
   using enum kernels::Model;
   expect_asked_stress<kernels::Model::linear, 2>(stressed_body(given, 2));
   expect_asked_stress<kernels::Model::linear, 3>(stressed_body(given, 3));
@@ -56,6 +59,10 @@ TEST(initial_state, has_the_stress_that_the_case_asks_for) {
   expect_asked_stress<linear_logarithmic, 3>(stressed_body(logarithmic, 3));
   expect_asked_stress<reduced_polynomial, 2>(stressed_body(polynomial, 2));
   expect_asked_stress<reduced_polynomial, 3>(stressed_body(polynomial, 3));
+  expect_asked_stress<neo_hookean, 2>(stressed_body(with_model("neo_hookean"), 2));
+  expect_asked_stress<neo_hookean, 3>(stressed_body(with_model("neo_hookean"), 3));
+  expect_asked_stress<st_venant_kirchhoff, 2>(stressed_body(with_model("st_venant_kirchhoff"), 2));
+  expect_asked_stress<st_venant_kirchhoff, 3>(stressed_body(with_model("st_venant_kirchhoff"), 3));
 }
 
 TEST(initial_state, refuses_a_tension_that_tears_the_material) {

@@ -8,8 +8,6 @@ namespace {
 
 constexpr Kernel every_kernel[] = {Kernel::quartic_spline, Kernel::quartic_spline_fit,
                                    Kernel::compact, Kernel::fourth_order};
-constexpr Model every_model[] = {Model::linear, Model::linear_logarithmic,
-                                 Model::reduced_polynomial};
 
 template <class T>
 class stage : public testing::Test {};
@@ -36,7 +34,7 @@ double worst_rate_error(Body<T, D>& body, const NeighbourLists<D>* lists) {
   const auto compare = [&](double next, double before, double rate, double scale) {
     worst = std::max(worst, std::abs((next - before) / (dt / 2) - rate) / scale);
   };
-  const bool deformation = body.material.model == Model::reduced_polynomial;
+  const bool deformation = carries_deformation(body.material.model);
   body.patch.for_each_interior([&](std::int64_t p, const auto&) {
     const Rates<D> rates = reference_rates(body, start, segment_of(body.patch, p), p);
     const State<T, D>& next = body.states[1];

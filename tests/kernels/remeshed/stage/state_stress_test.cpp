@@ -13,7 +13,7 @@ TYPED_TEST_SUITE(state_stress, Dimensions);
 TYPED_TEST(state_stress, follows_the_law_in_every_slot) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
-  for (const Model model : {Model::linear, Model::linear_logarithmic, Model::reduced_polynomial}) {
+  for (const Model model : every_model) {
     Body<T, D> body(small_box<T, D>(), T(0.1), model);
     const StageResult result = baseline_table<T, D>().evaluate_stress(body.stress_of(0));
     EXPECT_GT(result.wave_speed, 0);
