@@ -278,7 +278,7 @@ struct Case {
     double checkpoint_every = 0;  ///< between checkpoints [s]; 0: only when interrupted
     bool ghosts = false;          ///< frames contain ghosts too
     bool surface = false;         ///< frames contain the free surface
-    double measure_every = 0;     ///< [s]; 0: at every remeshing and at the end
+    double measure_every = 0;  ///< between samples [s]; 0: as the method and the measurements need
   } output;
 
   struct {

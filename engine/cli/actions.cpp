@@ -51,8 +51,6 @@ std::vector<std::string> warnings_of(const Case& settings) {
   std::vector<std::string> warnings = placement_warnings(settings);
   const std::string of_steps = stability_warning(settings);
   if (!of_steps.empty()) warnings.insert(warnings.begin(), of_steps);
-  const std::string of_samples = sampling_warning(settings);
-  if (!of_samples.empty()) warnings.push_back(of_samples);
   return warnings;
 }
 

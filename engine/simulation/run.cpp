@@ -148,7 +148,7 @@ class Run {
     const double t = solver_->clock().time;
     const bool last = at_end();
     const bool due = solver_->is_measuring_due();
-    if (settings_.output.measure_every == 0 && due && !last) sample();
+    if (settings_.output.measure_every == 0 && is_sampling_due(due) && !last) sample();
     put_out(last);
     // Without an interval of their own, checkpoints are written with frames. There is none at the
     // end: a run that continues to a later end must not keep what exists only because of this end,
@@ -160,6 +160,11 @@ class Run {
     warn_of_instability();
     warn_of_bodies(due, last);
     show();
+  }
+
+  // Without an interval of their own.
+  bool is_sampling_due(bool is_measuring_due) const {
+    return needs_samples_ ? is_sampled(solver_->clock().step) : is_measuring_due;
   }
 
   void show() {
@@ -247,8 +252,6 @@ class Run {
     write_summary(options_.folder, summary);
     progress_.report(report_of(options_.folder, summary));
     warn_of_inertia(summary.conserved.end);
-    const std::string of_samples = sampling_warning(settings_, histories_.times());
-    if (!of_samples.empty()) progress_.message(fmt::format("warning: {}", of_samples));
   }
 
   // Scaled mass is artificial: if its inertia matters, the result is not the static one.
@@ -275,6 +278,7 @@ class Run {
   std::optional<ResultFile> result_;
   ConservedQuantities start_;
   std::int64_t particles_at_start_ = 0;
+  const bool needs_samples_ = depends_on_samples(settings_);
   bool has_new_frame_ = false;    ///< since the last checkpoint was considered
   bool is_unstable_ = false;      ///< the step is above the stability limit
   bool tool_passes_ = false;      ///< through the surface of a body

@@ -272,13 +272,7 @@ inline constexpr auto words<MeasurementCase::Kind> =
 /// SI unit of the values of a measurement, "1" for ratios.
 std::string_view unit_of(const Case& a_case, const MeasurementCase& m);
 
-/// Names the measurements that are means over the whole run or evaluate a history of only two
-/// values, because a case of a method without remeshings sets no `output.measure_every`; empty if
-/// there are none.
-std::string sampling_warning(const Case& a_case);
-
-/// The same at the end of a run of a method with remeshings, if these were few: more than a
-/// twentieth of the run is between two of the `times` [s] of its samples.
-std::string sampling_warning(const Case& a_case, const std::vector<double>& times);
+/// Whether a measurement is a mean since the last sample, or evaluates a history of samples.
+bool depends_on_samples(const Case& a_case);
 
 }  // namespace pliant

@@ -68,6 +68,45 @@ TEST_F(Running, output_times_change_no_bit_of_what_is_seen) {
   }
 }
 
+// A bar that strains by 2 % has no remeshings, and a case without remeshings none at all.
+TEST_F(Running, forces_are_those_of_the_end_without_an_interval_of_samples) {
+  const std::string bar = R"toml(dimension = 2
+discretisation = { spacing = 0.1 }
+time = { end = 2 }
+[material.m]
+model = "neo_hookean"
+youngs_modulus = 100
+poissons_ratio = 0
+density = 1
+[[body]]
+name = "bar"
+material = "m"
+geometry = { shape = "box", lower = [0, 0], upper = [2, 1] }
+[[boundary]]
+name = "left"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0, 0], normal = [1, 0] }
+[[boundary]]
+name = "right"
+kind = "moving_wall"
+displacement = ["0.01*t^2", 0]
+geometry = { shape = "half_space", point = [2, 0], normal = [-1, 0] }
+[[measurement]]
+name = "force"
+kind = "wall_force"
+boundary = "left"
+)toml";
+  for (const char* method : {"remeshed", "total_lagrangian", "point_based"}) {
+    RunOptions options;
+    options.folder = folder / method;
+    options.quiet = true;
+    run_case(tests::read_text(bar, {std::string("method=") + method}), options);
+    const FileContent results = content_of(folder / method / "result.h5");
+    // Waves need 0.2 s for the bar, in which the force grows by 0.1 to 0.2 of its value.
+    EXPECT_NEAR(results.at("/measurements/force/value").as<double>().back(), -2, 0.3) << method;
+  }
+}
+
 TEST_F(Running, a_checkpoint_of_another_case_is_refused) {
   run({});
   EXPECT_THROW(run({"body.cylinder.material.youngs_modulus=99"}, true), InputError);
