@@ -47,17 +47,15 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
 }  // namespace
 
 RegisteredMethod method() {
-  return {
-      {.word = "finite_elements",
-       .meaning = "tetrahedra of a mesh, total Lagrangian explicit dynamics (FE.1); hyperelastic "
-                  "materials only",
-       .check = check,
-       .keys = visit_keys,
-       .step_limits = step_limits,
-       .warn = warn,
-       .footprint = point_based::footprint,
-       .has_self_contact = true},
-      make_solver<Solver>};
+  return {{.word = "finite_elements",
+           .meaning = "tetrahedra of a mesh, total Lagrangian explicit dynamics (FE.1)",
+           .check = check,
+           .keys = visit_keys,
+           .step_limits = step_limits,
+           .warn = warn,
+           .footprint = point_based::footprint,
+           .has_self_contact = true},
+          make_solver<Solver>};
 }
 
 }  // namespace pliant::finite_elements

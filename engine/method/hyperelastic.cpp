@@ -64,7 +64,8 @@ FullTensor in_3d(const std::array<double, D * D>& f) {
 }  // namespace
 
 kernels::HyperelasticMaterial<double> hyperelastic_material(const BodyCase& body) {
-  const kernels::Material<double>& m = body.material;
+  kernels::Material<double> m = body.material;
+  if (!kernels::carries_deformation(m.model)) m.model = kernels::Model::neo_hookean;
   return {law_of(m.model), m.density, m.shear_modulus, kernels::lame_modulus(m), m};
 }
 

@@ -11,7 +11,7 @@
 /// measurements. Steps use the kernels.
 namespace pliant {
 
-/// The material of a body as kernels read it.
+/// The material of a body as kernels read it; a linear material as (PB.6), with the same constants.
 kernels::HyperelasticMaterial<double> hyperelastic_material(const BodyCase& body);
 
 /// The share of a modulus that remains when all terms of a Prony series have relaxed.

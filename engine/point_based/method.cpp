@@ -123,13 +123,7 @@ StepLimits step_limits(const Case& a_case) {
 
 void check_body(const Check& check, std::size_t i) {
   const BodyCase& body = check.a_case.bodies[i];
-  if (body.material_as_given.model == MaterialCase::Model::linear) {
-    check.problems.add(check.place("body", i, "material"),
-                       fmt::format("body \"{}\" is not hyperelastic", body.name),
-                       fmt::format("method \"{}\" takes model = \"neo_hookean\" with the same "
-                                   "constants, \"st_venant_kirchhoff\" or \"reduced_polynomial\"",
-                                   check.a_case.method));
-  } else if (!body.material_as_given.prony.ratios.empty()) {
+  if (!body.material_as_given.prony.ratios.empty()) {
     check.problems.add(
         check.place("body", i, "material"), fmt::format("body \"{}\" relaxes in time", body.name),
         fmt::format("method \"{}\" takes materials without prony", check.a_case.method));
@@ -142,17 +136,15 @@ void check_body(const Check& check, std::size_t i) {
 }
 
 RegisteredMethod method() {
-  return {
-      {.word = "point_based",
-       .meaning = "nodes of the undeformed body with moving least squares (PB.3), in real time; "
-                  "hyperelastic materials only",
-       .check = check,
-       .keys = visit_keys,
-       .step_limits = step_limits,
-       .warn = warn,
-       .footprint = footprint,
-       .has_self_contact = true},
-      make_solver<Solver>};
+  return {{.word = "point_based",
+           .meaning = "nodes of the undeformed body with moving least squares (PB.3), in real time",
+           .check = check,
+           .keys = visit_keys,
+           .step_limits = step_limits,
+           .warn = warn,
+           .footprint = footprint,
+           .has_self_contact = true},
+          make_solver<Solver>};
 }
 
 }  // namespace pliant::point_based

@@ -78,7 +78,9 @@ template <class T, int D>
 void take_material(const BodyCase& source, Body<T, D>& body) {
   kernels::HyperelasticMaterial<double> material = hyperelastic_material(source);
   kernels::Material<double>& polynomial = material.polynomial;
-  if (!kernels::carries_deformation(polynomial.model)) {
+  if (!kernels::carries_deformation(source.material.model)) {
+    material.law = kernels::ElasticLaw::reduced_polynomial;
+    polynomial.model = source.material.model;
     polynomial.order = 1;
     polynomial.coefficient[0] = polynomial.shear_modulus / 2;
     polynomial.compressibility = 2 / polynomial.bulk_modulus;

@@ -44,6 +44,17 @@ TEST_F(ElementRuns, a_tumbling_block_keeps_momenta_to_rounding_and_its_energy) {
   }
 }
 
+TEST_F(ElementRuns, linear_materials_are_neo_hookean) {
+  const auto energies = [this](const std::string& model) {
+    ElementSolver<3> solver(tests::read_text(tests::with(text(3), "neo_hookean", model)),
+                            {1, kernels::widest_supported()});
+    solver.advance(0.2);
+    const BodyIntegrals sum = solver.integrals();
+    return std::pair{sum.kinetic_energy, sum.strain_energy};
+  };
+  EXPECT_EQ(energies("linear"), energies("neo_hookean"));
+}
+
 // (FE.6) is a bound: at CFL number 1, vibrations of the whole spectrum do not grow; with a step of
 // 1.5 times the bound they do.
 TEST_F(ElementRuns, steps_at_the_limit_are_stable) {

@@ -31,6 +31,18 @@ TEST(point_based, a_tumbling_block_keeps_momenta_to_rounding_and_its_energy) {
   EXPECT_NEAR(end.kinetic_energy + end.strain_energy, energy, 5e-3 * energy);
 }
 
+TEST(point_based, linear_materials_are_neo_hookean) {
+  const auto energies = [](const std::string& model) {
+    PointSolver<3> solver(
+        tests::read_text(tests::with(free_points(3), "neo_hookean", model) + tumbling),
+        {1, kernels::widest_supported()});
+    advance_until(solver, 0.2);
+    const BodyIntegrals sum = solver.integrals();
+    return std::pair{sum.kinetic_energy, sum.strain_energy};
+  };
+  EXPECT_EQ(energies("linear"), energies("neo_hookean"));
+}
+
 // A bar between frictionless walls vibrates along its length: u = A cos(pi x) cos(pi c t).
 double error_of_standing_wave(const std::string& spacing) {
   const std::string walls = R"([[boundary]]
