@@ -7,10 +7,12 @@ void BoundaryValues<D>::evaluate(const Boundaries<D>& boundaries, double t) {
   wall_velocity.clear();
   pressure.clear();
   for (const Wall<D>& wall : boundaries.walls) wall_velocity.push_back(wall.velocity(t));
-  traction.clear();
+  boundaries_ = &boundaries;
+  time_ = t;
+  traction_.clear();
   for (const SurfacePressure<D>& load : boundaries.pressures) {
-    pressure.push_back(load.value(t));
-    traction.push_back(load.traction({}, t));
+    pressure.push_back(load.is_uniform() ? load.pressure({}, t) : 0);
+    traction_.push_back(load.is_uniform() ? load.traction({}, t) : Point<D>{});
   }
 }
 

@@ -152,6 +152,14 @@ void Wall<D>::restore(const WallPose<D>& pose) {
   if (rotation_) turn_ = Turn(rotation_->axis, pose_.angle);
 }
 
+namespace {
+
+bool depends_on_place(const Expression& formula) {
+  return formula.uses('x') || formula.uses('y') || formula.uses('z');
+}
+
+}  // namespace
+
 template <int D>
 SurfacePressure<D>::SurfacePressure(const BoundaryCase& boundary)
     : region_(boundary.geometry),
@@ -159,9 +167,15 @@ SurfacePressure<D>::SurfacePressure(const BoundaryCase& boundary)
       traction_(boundary.traction),
       area_(boundary.area),
       is_traction_(boundary.kind == BoundaryCase::Kind::traction),
-      is_uniform_(std::none_of(traction_.begin(), traction_.end(), [](const Expression& f) {
-        return f.uses('x') || f.uses('y') || f.uses('z');
-      })) {}
+      is_uniform_(!depends_on_place(pressure_) &&
+                  std::ranges::none_of(traction_, depends_on_place)) {}
+
+template <int D>
+double SurfacePressure<D>::pressure(const Point<D>& x, double t) const {
+  if (set_value_) return *set_value_;
+  const Vector at = padded<D>(x);
+  return pressure_(at[0], at[1], at[2], t);
+}
 
 template <int D>
 Point<D> SurfacePressure<D>::traction(const Point<D>& x, double t) const {

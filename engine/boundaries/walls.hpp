@@ -77,17 +77,16 @@ class SurfacePressure {
  public:
   explicit SurfacePressure(const BoundaryCase& boundary);
   bool acts_at(const Point<D>& x) const;
-  /// The pressure that was set, or else the prescribed one [Pa].
-  double value(double t) const { return set_value_ ? *set_value_ : pressure_(t); }
+  /// The pressure that was set, or else the prescribed one [Pa]; 0 for a traction.
+  double pressure(const Point<D>& x, double t) const;
   const std::optional<double>& set_value() const { return set_value_; }
   void set_value(const std::optional<double>& value) { set_value_ = value; }
 
-  /// If so, there is no pressure.
   bool is_traction() const { return is_traction_; }
   BoundaryCase::LoadedArea area() const { return area_; }
-  /// Whether the traction depends only on time.
-  bool is_uniform() const { return is_uniform_; }
-  /// [Pa]; only one thread at a time may call this.
+  /// Whether it depends only on time.
+  bool is_uniform() const { return is_uniform_ || set_value_; }
+  /// [Pa]; 0 for a pressure
   Point<D> traction(const Point<D>& x, double t) const;
 
  private:
@@ -111,6 +110,10 @@ struct Boundaries final : Loads {
   bool have_tractions() const;
   /// Whether a load, or -1 for none, is a traction.
   bool is_traction(int load) const { return load >= 0 && pressures[load].is_traction(); }
+  /// Whether a load is a pressure that depends only on time.
+  bool is_uniform_pressure(int load) const {
+    return !pressures[load].is_traction() && pressures[load].is_uniform();
+  }
   bool have_attached_walls() const;
   bool have_attached_slip_walls() const;
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <muParser.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <pliant/error.hpp>
 
 #include <cmath>
@@ -11,8 +12,11 @@
 
 namespace pliant {
 
-struct Expression::Parser {
-  explicit Parser(const std::string& formula) {
+namespace {
+
+/// A parser keeps its variables.
+struct FormulaOfThread {
+  explicit FormulaOfThread(const std::string& formula) {
     parser.DefineVar("x", &x);
     parser.DefineVar("y", &y);
     parser.DefineVar("z", &z);
@@ -24,8 +28,6 @@ struct Expression::Parser {
   double x = 0, y = 0, z = 0, t = 0;
   mu::Parser parser;
 };
-
-namespace {
 
 /// Replaces muParser's messages, which count from zero and differ in style.
 std::string explain(const mu::ParserError& error) {
@@ -88,17 +90,24 @@ std::unique_ptr<Parser> parse(const std::string& formula) {
 
 }  // namespace
 
+struct Expression::Parser {
+  explicit Parser(const std::string& formula) : first(formula), of_thread(formula) {}
+
+  FormulaOfThread first;
+  tbb::enumerable_thread_specific<FormulaOfThread> of_thread;
+};
+
 Expression::Expression(double constant) : text_(fmt::format("{}", constant)), constant_(constant) {}
 
 Expression::Expression(const std::string& formula)
     : text_(formula), parser_(parse<Parser>(formula)) {
   refuse_assignment(formula);
   try {
-    constant_ = parser_->parser.Eval();
-    if (parser_->parser.GetNumResults() > 1) {
+    constant_ = parser_->first.parser.Eval();
+    if (parser_->first.parser.GetNumResults() > 1) {
       throw std::invalid_argument("several values separated by commas, where one is expected");
     }
-    if (!parser_->parser.GetUsedVar().empty()) return;
+    if (!parser_->first.parser.GetUsedVar().empty()) return;
   } catch (const mu::ParserError& error) {
     throw std::invalid_argument(explain(error));
   }
@@ -124,17 +133,18 @@ Expression::~Expression() = default;
 
 double Expression::operator()(double x, double y, double z, double t) const {
   if (!parser_) return constant_;
-  parser_->x = x;
-  parser_->y = y;
-  parser_->z = z;
-  parser_->t = t;
-  const double value = parser_->parser.Eval();
-  if (!std::isfinite(value)) refuse_value(parser_->parser, text_);
+  FormulaOfThread& formula = parser_->of_thread.local();
+  formula.x = x;
+  formula.y = y;
+  formula.z = z;
+  formula.t = t;
+  const double value = formula.parser.Eval();
+  if (!std::isfinite(value)) refuse_value(formula.parser, text_);
   return value;
 }
 
 bool Expression::uses(char variable) const {
-  return parser_ && parser_->parser.GetUsedVar().contains(std::string(1, variable));
+  return parser_ && parser_->first.parser.GetUsedVar().contains(std::string(1, variable));
 }
 
 }  // namespace pliant

@@ -7,7 +7,7 @@ namespace pliant {
 
 /// A number, or a formula of x, y, z [m] and t [s], as in case files.
 ///
-/// Evaluation is thread-safe only for distinct copies; every copy has its own parser.
+/// Evaluation is thread-safe: every thread has its own parser.
 class Expression {
  public:
   Expression(double constant = 0);

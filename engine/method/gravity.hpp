@@ -1,15 +1,12 @@
 #pragma once
 
-#include <vector>
-
 #include "engine/case/case.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/lattice/lattice.hpp"
 
 namespace pliant {
 
-/// The acceleration by the body force of a case (RP.71). Phases run on several blocks at a time,
-/// and a parser of formulas keeps variables: so each block has its own formulas.
+/// The acceleration by the body force of a case (RP.71).
 template <int D>
 class Gravity {
  public:
@@ -24,17 +21,11 @@ class Gravity {
   bool acts() const { return acts_; }
   bool is_uniform() const { return is_uniform_; }
 
-  void reserve(std::size_t blocks) {
-    if (acts_ && of_block_.size() < blocks) of_block_.resize(blocks, formula_);
-  }
-
-  /// Gravity at one time, for one block [m/s^2].
+  /// Gravity at one time [m/s^2].
   class Now {
    public:
-    Now(const Gravity& gravity, int block, double t)
-        : formula_(gravity.acts_ ? gravity.of_block_[block] : gravity.formula_),
-          t_(t),
-          is_uniform_(gravity.is_uniform_) {
+    Now(const Gravity& gravity, double t)
+        : formula_(gravity.formula_), t_(t), is_uniform_(gravity.is_uniform_) {
       if (is_uniform_ && gravity.acts_) uniform_ = evaluate({});
     }
     Point<D> operator()(const Point<D>& x) const { return is_uniform_ ? uniform_ : evaluate(x); }
@@ -55,7 +46,6 @@ class Gravity {
 
  private:
   VectorExpression formula_;
-  std::vector<VectorExpression> of_block_;
   bool acts_ = false, is_uniform_ = true;
 };
 

@@ -36,11 +36,10 @@ template <int D>
 struct PressedNode {
   std::int32_t slot;
   std::int32_t pressure;
-  Point<D> area;           ///< outwards [m^(D-1)]
-  double size;             ///< norm of the area [m^(D-1)]
-  Point<D> middle;         ///< centre of the share [m]
-  Point<D> traction = {};  ///< present [Pa]; 0 for a pressure
-  Point<D> force = {};     ///< present [N]
+  Point<D> area;        ///< outwards [m^(D-1)]
+  double size;          ///< norm of the area [m^(D-1)]
+  Point<D> middle;      ///< centre of the share [m]
+  Point<D> force = {};  ///< present [N]
 };
 
 /// A node on which a blade acts.

@@ -55,7 +55,6 @@ template <class T, int D>
 void Step<T, D>::prepare_blocks() {
   results_.assign(state_.blocks.size(), {});
   sampler_.prepare_blocks(state_.blocks.size());
-  loads_.prepare_blocks();
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
   body_contact_.take_surfaces(state_.bodies);

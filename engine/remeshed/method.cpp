@@ -45,13 +45,6 @@ void check_tractions(const Check& check) {
                          "method \"remeshed\" does not know the undeformed surface",
                          "write area = \"present\", or take method = \"total_lagrangian\"");
     }
-    for (const Expression& component : boundary.traction) {
-      if (!component.uses('x') && !component.uses('y') && !component.uses('z')) continue;
-      check.problems.add(check.place("boundary", i, "traction"),
-                         "method \"remeshed\" takes tractions that depend on t alone",
-                         "leave out x, y and z, or take method = \"total_lagrangian\"");
-      break;
-    }
     if (a_case.ghosts == GhostTreatment::averaged) {
       check.problems.add(check.place("ghosts", "treatment"), "averaged ghosts carry no tractions",
                          "write treatment = \"linear\", or remove the key");

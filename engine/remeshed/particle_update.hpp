@@ -35,8 +35,8 @@ class ParticleUpdate {
                                const kernels::SymmetricPairs<T, D>* pairs = nullptr);
   /// Adds the work of body forces in the step to the energy budget of the state.
   void fold() { body_forces_.fold(); }
-  /// The body force on a block at a stage.
-  BodyForce<D> body_force(int block, int stage) const { return body_forces_.of(block, stage); }
+  /// The body force at a stage.
+  BodyForce<D> body_force(int stage) const { return body_forces_.at(stage); }
   /// [block] impulse of body forces in the step [N s].
   const std::vector<Point<D>>& body_force_impulse() const { return body_forces_.impulse(); }
   /// [block][stage] body forces in the step.

@@ -91,20 +91,20 @@ void StageWork<T, D>::write_records(int block, int stage) {
 template <class T, int D>
 void StageWork<T, D>::decide_wall_contact(int block, int stage) {
   const auto [body, local] = state_.owner(block);
-  decide_contact(body, local, around(block, stage), kernels_);
+  decide_contact(body, local, around(stage), kernels_);
 }
 
 template <class T, int D>
 void StageWork<T, D>::release_wall_contact(int block, int stage) {
   const auto [body, local] = state_.owner(block);
-  release_contact(body, local, around(block, stage), kernels_);
+  release_contact(body, local, around(stage), kernels_);
 }
 
 template <class T, int D>
 void StageWork<T, D>::fill(int block, int stage, WhichGhosts which, WallWork<T, D>* work) {
   const auto [body, local] = state_.owner(block);
-  fill_ghosts<T, D>(body, local, stage, stage % 2, which, around(block, stage), settings_.ghosts,
-                    kernels_, work);
+  fill_ghosts<T, D>(body, local, stage, stage % 2, which, around(stage), settings_.ghosts, kernels_,
+                    work);
 }
 
 template <class T, int D>
@@ -119,7 +119,7 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   const auto [body, local] = state_.owner(block);
   const double duration = stage_weight[stage] * time_step_;
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
-  const Surroundings<D> now = around(block, stage);
+  const Surroundings<D> now = around(stage);
   std::vector<WallShare>& shares = wall_shares_[block];
   if (stage == 0) find_wall_shares<T, D>(body, local, now.boundaries, is_watched_, shares);
   WallWork<T, D> of_walls(body, body.population.ghosts[local], stage, now, duration, shares,

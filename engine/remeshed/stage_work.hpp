@@ -62,8 +62,8 @@ class StageWork {
   /// Whether forces of walls depend on the masses of the bodies that they hold, (RP.105).
   bool weighs_held_bodies() const { return lone_walls_.exist(); }
   const StageResults& results() const { return results_; }
-  Surroundings<D> around(int block, int stage) const {
-    return {state_.boundaries, boundary_values_[stage], particles_.body_force(block, stage)};
+  Surroundings<D> around(int stage) const {
+    return {state_.boundaries, boundary_values_[stage], particles_.body_force(stage)};
   }
 
  private:

@@ -31,7 +31,7 @@ class Step {
   /// Sets the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
   /// The loads and walls around the bodies at the start of the step, for one thread.
-  Surroundings<D> surroundings() const { return work_.around(0, 0); }
+  Surroundings<D> surroundings() const { return work_.around(0); }
   /// Sums the results of a step over all blocks.
   void fold() {
     work_.fold();

@@ -51,7 +51,6 @@ BoundaryForces<T, D>::BoundaryForces(State<T, D>& state, const Case& settings)
 
 template <class T, int D>
 void BoundaryForces<T, D>::prepare_blocks() {
-  gravity_.reserve(state_.blocks.size());
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
 }
@@ -61,26 +60,6 @@ void BoundaryForces<T, D>::prepare(double time, double kick, double length) {
   time_ = time;
   at_start_.evaluate(state_.boundaries, time);
   work_.prepare({time, length, kick, length});
-  for (Body<T, D>& body : state_.bodies) find_tractions(body);
-}
-
-// One thread evaluates formulas that depend on the place. The blocks compute (TL.7) of all other
-// loads.
-template <class T, int D>
-void BoundaryForces<T, D>::find_tractions(Body<T, D>& body) {
-  for (std::size_t i = 0; i < body.patches.size(); ++i) {
-    const SurfacePatch<D>& patch = body.patches[i];
-    const SurfacePressure<D>& load = state_.boundaries.pressures[patch.pressure];
-    if (!load.is_traction()) continue;
-    body.patch_force[i] = at_start_.traction[patch.pressure];
-    if (load.is_uniform()) continue;
-    Point<D> middle = {};
-    const auto x = corners(body, body.facets[patch.facet], load.area());
-    for (const Point<D>& corner : x) {
-      for (int a = 0; a < D; ++a) middle[a] += corner[a] / D;
-    }
-    body.patch_force[i] = load.traction(middle, time_);
-  }
 }
 
 template <class T, int D>
@@ -92,20 +71,24 @@ void BoundaryForces<T, D>::sum_patch_loads(int block) {
   }
 }
 
-// The force of a pressure rotates with the surface; that of a traction comes from find_tractions.
+// The force of a pressure rotates with the surface.
 template <class T, int D>
 Point<D> BoundaryForces<T, D>::force_on(const Body<T, D>& body, std::size_t index) const {
   const SurfacePatch<D>& patch = body.patches[index];
   const SurfacePressure<D>& load = state_.boundaries.pressures[patch.pressure];
   const auto x = corners(body, body.facets[patch.facet], load.area());
   const Point<D> area = area_vector<D>(x);
-  Point<D> force;
+  Point<D> middle = {}, force;
+  for (const Point<D>& corner : x) {
+    for (int a = 0; a < D; ++a) middle[a] += corner[a] / D;
+  }
   if (load.is_traction()) {
+    const Point<D> traction = at_start_.traction_at(patch.pressure, middle);
     const double loaded = patch.share * norm<D>(area);
-    for (int a = 0; a < D; ++a) force[a] = loaded * body.patch_force[index][a];
+    for (int a = 0; a < D; ++a) force[a] = loaded * traction[a];
     return force;
   }
-  const double pressure = at_start_.pressure[patch.pressure];
+  const double pressure = at_start_.pressure_at(patch.pressure, middle);
   for (int a = 0; a < D; ++a) force[a] = -pressure * patch.share * area[a];
   if (patch.aside == std::array<double, D - 1>{}) return force;
   const double size = norm<D>(area);
@@ -137,7 +120,7 @@ template <class T, int D>
 void BoundaryForces<T, D>::set_gravity(int block) {
   const Owned owned = owner(block);
   Body<T, D>& body = owned.body;
-  const typename Gravity<D>::Now gravity(gravity_, block, time_);
+  const typename Gravity<D>::Now gravity(gravity_, time_);
   const Block<D>& range = body.layout.blocks()[owned.local];
   body.layout.for_each_slot(range, [&](std::int64_t p, const Cell<D>& cell) {
     if (!body.is_particle(p)) return;

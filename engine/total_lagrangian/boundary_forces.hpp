@@ -49,7 +49,6 @@ class BoundaryForces {
     const BlockOwner& owner = state_.blocks[block];
     return {state_.bodies[owner.body], owner.block};
   }
-  void find_tractions(Body<T, D>& body);
   Point<D> force_on(const Body<T, D>& body, std::size_t patch) const;
   void set_gravity(int block);
   EnergyBudget power_of(int block);

@@ -67,11 +67,11 @@ void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
   }
   if (row.pressure != Use::no) {
     visit("pressure", boundary.pressure,
-          {.meaning = "pressure, positive when it pushes on the body, a number or a formula of t",
+          {.meaning = "pressure, positive when it pushes on the body, a number or a formula of x, "
+                      "y, z, t",
            .unit = "Pa",
            .example = R"toml("3000*(1 - exp(-t))")toml",
-           .required = row.pressure == Use::required,
-           .variables = "t"});
+           .required = row.pressure == Use::required});
   }
   if (row.traction != Use::no) {
     visit("traction", boundary.traction,

@@ -37,22 +37,7 @@ void NodeLoads<T, D>::prepare(double time) {
   time_ = time;
   values_.evaluate(state_.boundaries, time);
   if (gravity_.acts() && gravity_.is_uniform()) {
-    uniform_gravity_ = typename Gravity<D>::Now(gravity_, 0, time)({});
-  }
-  // One thread evaluates formulas that depend on the place.
-  for (Body<T, D>& body : state_.bodies) {
-    for (auto& of_block : body.pressed) {
-      for (PressedNode<D>& node : of_block) {
-        const SurfacePressure<D>& load = state_.boundaries.pressures[node.pressure];
-        node.traction = values_.traction[node.pressure];
-        if (!load.is_traction() || load.is_uniform()) continue;
-        Point<D> x = node.middle;
-        if (load.area() == BoundaryCase::LoadedArea::present) {
-          for (int a = 0; a < D; ++a) x[a] += body.displacement[a][node.slot];
-        }
-        node.traction = load.traction(x, time);
-      }
-    }
+    uniform_gravity_ = typename Gravity<D>::Now(gravity_, time)({});
   }
 }
 
@@ -71,7 +56,7 @@ void NodeLoads<T, D>::load(int block) {
     }
   }
   if (gravity_varies()) {
-    const typename Gravity<D>::Now gravity(gravity_, block, time_);
+    const typename Gravity<D>::Now gravity(gravity_, time_);
     for (std::int64_t slot = range.first; slot < range.first + range.nodes; ++slot) {
       const Point<D> g = gravity(body.position(slot));
       for (int a = 0; a < D; ++a) body.traction[a][slot] = static_cast<T>(body.mass[slot] * g[a]);
@@ -89,8 +74,11 @@ void NodeLoads<T, D>::load(int block) {
 template <class T, int D>
 void NodeLoads<T, D>::press(Body<T, D>& body, const NodeBlock& block, PressedNode<D>& node) const {
   const SurfacePressure<D>& load = state_.boundaries.pressures[node.pressure];
+  const bool is_present = load.area() == BoundaryCase::LoadedArea::present;
+  Point<D> x = node.middle;
+  for (int a = 0; a < D && is_present; ++a) x[a] += body.displacement[a][node.slot];
   if (!load.is_traction()) {
-    const double pressure = values_.pressure[node.pressure];
+    const double pressure = values_.pressure_at(node.pressure, x);
     const auto area = present_area(body, block, node);
     for (int a = 0; a < D; ++a) {
       node.force[a] = -pressure * area[a];
@@ -102,13 +90,14 @@ void NodeLoads<T, D>::press(Body<T, D>& body, const NodeBlock& block, PressedNod
     }
     return;
   }
+  const Point<D> traction = values_.traction_at(node.pressure, x);
   double size = node.size;
-  if (load.area() == BoundaryCase::LoadedArea::present) {
+  if (is_present) {
     const Eigen::Map<const Eigen::Matrix<double, D, 1>> area(node.area.data());
     size *= present_area(body, block, node).norm() / area.norm();
   }
   for (int a = 0; a < D; ++a) {
-    node.force[a] = size * node.traction[a];
+    node.force[a] = size * traction[a];
     body.traction[a][node.slot] += static_cast<T>(node.force[a]);
   }
 }

@@ -17,7 +17,6 @@ class NodeLoads {
 
   /// Whether a step has to call `load` for its blocks.
   bool act_on_blocks() const;
-  void prepare_blocks() { gravity_.reserve(state_.blocks.size()); }
   /// Sets the loads at `time` [s].
   void prepare(double time);
   /// Computes the forces on the nodes of a block at their present positions.

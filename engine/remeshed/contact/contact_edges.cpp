@@ -108,7 +108,8 @@ void follow_edges(Body<T, D>& body, int block) {
 
 template <class T, int D>
 kernels::SurfaceLoad<T, D> load_beside_edge(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
-                                            std::size_t g, const BoundaryValues<D>& values) {
+                                            std::size_t g, const Point<D>& x,
+                                            const BoundaryValues<D>& values) {
   const Point<D>& up = ghosts.normal[g];
   Point<D> normal = {}, force = {};
   for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
@@ -124,9 +125,10 @@ kernels::SurfaceLoad<T, D> load_beside_edge(const Body<T, D>& body, const BlockG
     if (load < 0) continue;
     const double area = std::sqrt(dot<D>(gradient, gradient));
     const double share = body.population.loaded_share[record];
+    const Point<D> traction = values.traction_at(load, x);
+    const double pressure = values.pressure_at(load, x);
     for (int a = 0; a < D; ++a) {
-      force[a] +=
-          share * c * (values.traction[load][a] * area - values.pressure[load] * gradient[a]);
+      force[a] += share * c * (traction[a] * area - pressure * gradient[a]);
     }
   }
   const double square = dot<D>(normal, normal);
@@ -152,19 +154,19 @@ template void follow_edges<float, 2>(Body<float, 2>&, int);
 template void follow_edges<float, 3>(Body<float, 3>&, int);
 template kernels::SurfaceLoad<double, 2> load_beside_edge<double, 2>(const Body<double, 2>&,
                                                                      const BlockGhosts<double, 2>&,
-                                                                     std::size_t,
+                                                                     std::size_t, const Point<2>&,
                                                                      const BoundaryValues<2>&);
 template kernels::SurfaceLoad<double, 3> load_beside_edge<double, 3>(const Body<double, 3>&,
                                                                      const BlockGhosts<double, 3>&,
-                                                                     std::size_t,
+                                                                     std::size_t, const Point<3>&,
                                                                      const BoundaryValues<3>&);
 template kernels::SurfaceLoad<float, 2> load_beside_edge<float, 2>(const Body<float, 2>&,
                                                                    const BlockGhosts<float, 2>&,
-                                                                   std::size_t,
+                                                                   std::size_t, const Point<2>&,
                                                                    const BoundaryValues<2>&);
 template kernels::SurfaceLoad<float, 3> load_beside_edge<float, 3>(const Body<float, 3>&,
                                                                    const BlockGhosts<float, 3>&,
-                                                                   std::size_t,
+                                                                   std::size_t, const Point<3>&,
                                                                    const BoundaryValues<3>&);
 
 }  // namespace pliant::remeshed

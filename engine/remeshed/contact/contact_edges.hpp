@@ -54,7 +54,8 @@ void follow_edges(Body<T, D>& body, int block);
 /// (RP.81): the traction on a free-surface ghost g next to an edge, and the normal of the side.
 template <class T, int D>
 kernels::SurfaceLoad<T, D> load_beside_edge(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
-                                            std::size_t g, const BoundaryValues<D>& values);
+                                            std::size_t g, const Point<D>& x,
+                                            const BoundaryValues<D>& values);
 
 extern template class ContactEdges<double, 2>;
 extern template class ContactEdges<double, 3>;

@@ -64,26 +64,30 @@ struct GhostFill {
       const int p = ghosts.pressure[g];
       const kernels::GhostFits<T, D> of_ghost = fits.of(g);
       const T pressure = p == several_loads
-                             ? -mixed_load<T, D>(body, ghosts, of_ghost, g, values).normal
+                             ? -mixed_load<T, D>(body, ghosts, of_ghost, g, foot(g), values).normal
                          : p < 0 ? T(0)
-                                 : static_cast<T>(values.pressure[p]);
+                                 : static_cast<T>(values.pressure_at(p, foot(g)));
       set(g, kernels::averaged_surface_ghost<T, D>(of_ghost.linear, pressure));
     }
   }
 
-  void fill_tractions(const BoundaryValues<D>& values) const {
+  // Those that are no uniform pressure.
+  void fill_loads(const Surroundings<D>& around) const {
+    const BoundaryValues<D>& values = around.values;
     const kernels::Impedance<T> impedance = surface_impedance();
     FitEvaluator<T, D> present(body, ghosts, table);
     for (std::size_t g = 0; g < count; ++g) {
       const int p = ghosts.pressure[g];
       if (p == several_loads) {
         const kernels::GhostFits<T, D> fits = present.of(g);
-        fill_loaded(g, fits, mixed_load<T, D>(body, ghosts, fits, g, values), impedance);
+        fill_loaded(g, fits, mixed_load<T, D>(body, ghosts, fits, g, foot(g), values), impedance);
       }
-      if (p < 0 || values.traction[p] == Point<D>{}) continue;
+      if (p < 0 || around.boundaries.is_uniform_pressure(p)) continue;
       const kernels::GhostFits<T, D> fits = present.of(g);
-      kernels::SurfaceLoad<T, D> load{kernels::unit_normal<T, D>(fits.linear), 0, {}};
-      for (int a = 0; a < D; ++a) load.normal += static_cast<T>(values.traction[p][a]) * load.n[a];
+      const Point<D> x = foot(g), traction = values.traction_at(p, x);
+      kernels::SurfaceLoad<T, D> load{
+          kernels::unit_normal<T, D>(fits.linear), -static_cast<T>(values.pressure_at(p, x)), {}};
+      for (int a = 0; a < D; ++a) load.normal += static_cast<T>(traction[a]) * load.n[a];
       fill_loaded(g, fits, load, impedance);
     }
   }
@@ -95,7 +99,7 @@ struct GhostFill {
       const std::int32_t edge = ghosts.edge[g];
       if (ghosts.wall[g] >= 0 || edge == no_edge) continue;
       if (body.population.kind[edge] != Kind::wall_ghost) continue;
-      fill_loaded(g, present.of(g), load_beside_edge<T, D>(body, ghosts, g, around.values),
+      fill_loaded(g, present.of(g), load_beside_edge<T, D>(body, ghosts, g, foot(g), around.values),
                   impedance);
     }
   }
@@ -140,6 +144,14 @@ struct GhostFill {
   }
 
  private:
+  /// The present place of a ghost's foot point [m].
+  Point<D> foot(std::size_t g) const {
+    Point<D> x = ghosts.foot[g];
+    const FieldStore<T, D>& places = body.stage[drift_buffer_of(stage)];
+    for (int a = 0; a < D; ++a) x[a] += places.get(Field::drift, a)[ghosts.slot[g]];
+    return x;
+  }
+
   /// Adds the velocity of outgoing shear waves without its lasting part, (RP.95).
   void let_shear_waves_out_alone(std::size_t g, const kernels::GhostFits<T, D>& fits,
                                  const kernels::WallSite<T, D>& site,
@@ -212,7 +224,7 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
     fill.average_surfaces(values);
   } else {
     fill.fill_surfaces(values);
-    fill.fill_tractions(values);
+    fill.fill_loads(around);
     fill.fill_beside_edges(around);
     fill.fill_in_contact();
     if (removes_lasting_correction(body, around.boundaries))

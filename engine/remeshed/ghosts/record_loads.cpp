@@ -126,7 +126,7 @@ LoadOnFace<T> load_on_face(const Population<T, D>& population, const BlockGhosts
 template <class T, int D>
 kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                       const kernels::GhostFits<T, D>& fits, std::size_t ghost,
-                                      const BoundaryValues<D>& values) {
+                                      const Point<D>& x, const BoundaryValues<D>& values) {
   using Vector = Eigen::Matrix<T, D, 1>;
   using Matrix = Eigen::Matrix<T, D, D>;
   const Matrix turn = turn_of_normals(body, ghosts, ghost);
@@ -141,8 +141,9 @@ kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<
     if (load < 0) continue;
     const T length = normal.norm();
     Vector traction;
-    for (int a = 0; a < D; ++a) traction[a] = static_cast<T>(values.traction[load][a]) * length;
-    traction -= static_cast<T>(values.pressure[load]) * normal;
+    const Point<D> given = values.traction_at(load, x);
+    for (int a = 0; a < D; ++a) traction[a] = static_cast<T>(given[a]) * length;
+    traction -= static_cast<T>(values.pressure_at(load, x)) * normal;
     products +=
         w * share * traction.dot(normal) / normal.squaredNorm() * normal * normal.transpose();
   }
@@ -168,7 +169,7 @@ template void find_ghost_loads<double, 2>(const Lattice<2>&, const FieldStore<do
 template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double, 2>&,
                                                                const BlockGhosts<double, 2>&,
                                                                const kernels::GhostFits<double, 2>&,
-                                                               std::size_t,
+                                                               std::size_t, const Point<2>&,
                                                                const BoundaryValues<2>&);
 template void find_record_loads<double, 3>(const Lattice<3>&, const FieldStore<double, 3>&,
                                            const Shape&, const Boundaries<3>&, int,
@@ -179,7 +180,7 @@ template void find_ghost_loads<double, 3>(const Lattice<3>&, const FieldStore<do
 template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double, 3>&,
                                                                const BlockGhosts<double, 3>&,
                                                                const kernels::GhostFits<double, 3>&,
-                                                               std::size_t,
+                                                               std::size_t, const Point<3>&,
                                                                const BoundaryValues<3>&);
 template void find_record_loads<float, 2>(const Lattice<2>&, const FieldStore<float, 2>&,
                                           const Shape&, const Boundaries<2>&, int,
@@ -190,7 +191,8 @@ template void find_ghost_loads<float, 2>(const Lattice<2>&, const FieldStore<flo
 template kernels::SurfaceLoad<float, 2> mixed_load<float, 2>(const Body<float, 2>&,
                                                              const BlockGhosts<float, 2>&,
                                                              const kernels::GhostFits<float, 2>&,
-                                                             std::size_t, const BoundaryValues<2>&);
+                                                             std::size_t, const Point<2>&,
+                                                             const BoundaryValues<2>&);
 template void find_record_loads<float, 3>(const Lattice<3>&, const FieldStore<float, 3>&,
                                           const Shape&, const Boundaries<3>&, int,
                                           Population<float, 3>&);
@@ -200,6 +202,7 @@ template void find_ghost_loads<float, 3>(const Lattice<3>&, const FieldStore<flo
 template kernels::SurfaceLoad<float, 3> mixed_load<float, 3>(const Body<float, 3>&,
                                                              const BlockGhosts<float, 3>&,
                                                              const kernels::GhostFits<float, 3>&,
-                                                             std::size_t, const BoundaryValues<3>&);
+                                                             std::size_t, const Point<3>&,
+                                                             const BoundaryValues<3>&);
 
 }  // namespace pliant::remeshed

@@ -22,10 +22,10 @@ void find_ghost_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields,
                       const Shape& surface, const Boundaries<D>& boundaries, int block,
                       Population<T, D>& population);
 
-/// The traction of `several_loads` on a ghost, and its normal, (RP.78).
+/// The traction of `several_loads` on a ghost whose foot point is at x, and its normal, (RP.78).
 template <class T, int D>
 kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                       const kernels::GhostFits<T, D>& fits, std::size_t ghost,
-                                      const BoundaryValues<D>& values);
+                                      const Point<D>& x, const BoundaryValues<D>& values);
 
 }  // namespace pliant::remeshed

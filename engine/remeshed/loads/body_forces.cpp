@@ -50,7 +50,6 @@ BodyForces<T, D>::BodyForces(State<T, D>& state, const Case& settings)
 template <class T, int D>
 void BodyForces<T, D>::prepare(double time_step) {
   time_step_ = time_step;
-  gravity_.reserve(state_.blocks.size());
   of_block_.assign(state_.blocks.size(), {});
   impulse_.assign(state_.blocks.size(), {});
   forces_.assign(state_.blocks.size(), {});
@@ -58,17 +57,17 @@ void BodyForces<T, D>::prepare(double time_step) {
 }
 
 template <class T, int D>
-BodyForce<D> BodyForces<T, D>::of(int block, int stage) const {
+BodyForce<D> BodyForces<T, D>::at(int stage) const {
   const double t = state_.clock.time + stage_time[stage] * time_step_;
   const double damping = state_.clock.damping;
-  return {typename Gravity<D>::Now(gravity_, block, t), mass_scaling_, damping,
+  return {typename Gravity<D>::Now(gravity_, t), mass_scaling_, damping,
           gravity_.acts() || damping != 0};
 }
 
 template <class T, int D>
 void BodyForces<T, D>::advance(int block, int stage) {
   if (is_adaptive_ && stage < 2) follow(block, stage);
-  const BodyForce<D> force_of = of(block, stage);
+  const BodyForce<D> force_of = at(stage);
   if (force_of.acts) apply_field(block, stage, force_of);
   const auto owner = state_.owner(block);
   if (!owner.body.shear.empty()) apply_shear(block, stage);

@@ -9,7 +9,7 @@
 
 namespace pliant::remeshed {
 
-/// The acceleration of the material of one block at one time, (RP.71).
+/// The acceleration of the material at one time, (RP.71).
 template <int D>
 struct BodyForce {
   typename Gravity<D>::Now gravity;
@@ -50,8 +50,8 @@ class BodyForces {
 
   /// Sets the time step [s].
   void prepare(double time_step);
-  /// The body force on a block at a stage of the step.
-  BodyForce<D> of(int block, int stage) const;
+  /// The body force at a stage of the step.
+  BodyForce<D> at(int stage) const;
   /// Adds the rates of the particles of a block at a stage to the state that the stage has written.
   void advance(int block, int stage);
   /// Adds the work of the step to the state, block by block, and adapts the damping rate to the

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "engine/lattice/column.hpp"
 #include "engine/remeshed/loads/facet_loads.hpp"
 #include "engine/remeshed/observe/surface_pieces.hpp"
 
@@ -48,9 +49,10 @@ std::array<std::int8_t, D> nothing_loaded() {
   return load;
 }
 
-/// Force of the loads on the components of an area vector along the normals of a facet's faces.
+/// Force of the loads at x on the components of an area vector along the normals of a facet's
+/// faces.
 template <int D>
-FacetForce<D> force_of(const LoadedFacet<D>& facet, const PlaceVector<D>& area,
+FacetForce<D> force_of(const LoadedFacet<D>& facet, const PlaceVector<D>& area, const Point<D>& x,
                        const BoundaryValues<D>& values) {
   const std::array<std::int8_t, D>& load = facet.load;
   Eigen::Matrix<double, D, D> normals;
@@ -67,10 +69,10 @@ FacetForce<D> force_of(const LoadedFacet<D>& facet, const PlaceVector<D>& area,
     for (int k = i; k < D; ++k) {
       if (load[k] == load[i]) part += along[k] * normals.col(k);
     }
-    force.normal -= values.pressure[load[i]] * part;
+    force.normal -= values.pressure_at(load[i], x) * part;
     const double size = part.norm();
     if (size == 0) continue;
-    const Eigen::Map<const PlaceVector<D>> traction(values.traction[load[i]].data());
+    const PlaceVector<D> traction = column<D>(values.traction_at(load[i], x));
     const PlaceVector<D> along_normal = traction.dot(part) / size * part;
     force.normal += along_normal;
     force.shear += size * traction - along_normal;
@@ -139,12 +141,13 @@ FacetForce<D> force_at_stage(const Body<T, D>& body, const LoadedFacet<D>& facet
                              const BoundaryValues<D>& values) {
   const FieldStore<T, D>& place = body.stage[drift_buffer_of(stage)];
   std::array<PlaceVector<D>, D> places;
+  PlaceVector<D> middle = PlaceVector<D>::Zero();
   for (int i = 0; i < D; ++i) {
     const FacetCorner<D>& corner = facet.corners[i];
-    places[i] = between<T, D>(place, Field::drift, corner);
-    for (int a = 0; a < D; ++a) places[i][a] += corner.place[a];
+    places[i] = between<T, D>(place, Field::drift, corner) + column<D>(corner.place);
+    middle += places[i] / D;
   }
-  FacetForce<D> force = force_of<D>(facet, area_of(places), values);
+  FacetForce<D> force = force_of<D>(facet, area_of(places), as_point<D>(middle), values);
   force.normal *= facet.share;
   force.shear *= facet.share;
   return force;

@@ -143,7 +143,7 @@ TEST(walls, the_nearest_of_several_is_found_and_pressures_are_none_of_them) {
   EXPECT_TRUE(boundaries.walls[1].slips());
   EXPECT_EQ(boundaries.nearest_wall({0, 0}), (std::pair<int, double>{1, 1}));
   EXPECT_EQ(boundaries.distance_to_no_slip({0, 0}), 2);
-  EXPECT_EQ(boundaries.pressures[0].value(2), 6);
+  EXPECT_EQ(boundaries.pressures[0].pressure({}, 2), 6);
   EXPECT_TRUE(boundaries.pressures[0].acts_at({0, 0.1}));
   EXPECT_FALSE(boundaries.pressures[0].acts_at({0, 0.3}));
 }

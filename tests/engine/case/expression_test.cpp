@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 #include <pliant/error.hpp>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 namespace pliant {
 namespace {
@@ -53,6 +56,19 @@ TEST(expression, it_knows_what_it_depends_on) {
   EXPECT_TRUE(formula.uses('y'));
   EXPECT_FALSE(formula.uses('x'));
   EXPECT_FALSE(Expression(2.0).uses('x'));
+}
+
+TEST(expression, several_threads_evaluate_one_formula) {
+  const Expression formula("x + 10*y + 100*z + 1000*t");
+  std::array<int, 4> right = {};
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 4; ++k) {
+    threads.emplace_back([&, k] {
+      for (int i = 0; i < 10'000; ++i) right[k] += formula(k, i, 2, 3) == k + 10 * i + 3200;
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const int count : right) EXPECT_EQ(count, 10'000);
 }
 
 TEST(expression, a_value_that_is_not_finite_is_refused_where_it_occurs) {
