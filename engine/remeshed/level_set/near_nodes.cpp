@@ -94,11 +94,27 @@ void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i) {
 
 template void LevelSet<double, 2>::find_closest_points(const Block<2>&,
                                                        const kernels::RemeshedTable<double, 2>&);
+template bool LevelSet<double, 2>::passes_surface(const Projections<double, 2>&, std::size_t,
+                                                  Point<2>&) const;
+template bool LevelSet<double, 2>::step_to_surface(const Cell<2>&, std::int64_t, Point<2>&) const;
+template void LevelSet<double, 2>::place_near(const Projections<double, 2>&, std::size_t);
 template void LevelSet<double, 3>::find_closest_points(const Block<3>&,
                                                        const kernels::RemeshedTable<double, 3>&);
+template bool LevelSet<double, 3>::passes_surface(const Projections<double, 3>&, std::size_t,
+                                                  Point<3>&) const;
+template bool LevelSet<double, 3>::step_to_surface(const Cell<3>&, std::int64_t, Point<3>&) const;
+template void LevelSet<double, 3>::place_near(const Projections<double, 3>&, std::size_t);
 template void LevelSet<float, 2>::find_closest_points(const Block<2>&,
                                                       const kernels::RemeshedTable<float, 2>&);
+template bool LevelSet<float, 2>::passes_surface(const Projections<float, 2>&, std::size_t,
+                                                 Point<2>&) const;
+template bool LevelSet<float, 2>::step_to_surface(const Cell<2>&, std::int64_t, Point<2>&) const;
+template void LevelSet<float, 2>::place_near(const Projections<float, 2>&, std::size_t);
 template void LevelSet<float, 3>::find_closest_points(const Block<3>&,
                                                       const kernels::RemeshedTable<float, 3>&);
+template bool LevelSet<float, 3>::passes_surface(const Projections<float, 3>&, std::size_t,
+                                                 Point<3>&) const;
+template bool LevelSet<float, 3>::step_to_surface(const Cell<3>&, std::int64_t, Point<3>&) const;
+template void LevelSet<float, 3>::place_near(const Projections<float, 3>&, std::size_t);
 
 }  // namespace pliant::remeshed

@@ -70,7 +70,7 @@ double WallExtension<T, D>::continued(const Point<D>& x, const Boundaries<D>& bo
 // it, with the curvature of the initial surface. Only a surface that meets the wall continues
 // behind it; far from one, phi keeps its value. A surface that faced the wall from the start ends
 // where it touches it, and there the body continues behind the wall. Slopes above 1 are kinks of
-// phi.
+// phi. A no-slip wall holds at least what it held at the start.
 template <class T, int D>
 double WallExtension<T, D>::along_line(const Point<D>& x, const Wall<D>& wall, double depth) const {
   constexpr double facing = 0.7;
@@ -95,8 +95,12 @@ double WallExtension<T, D>::along_line(const Point<D>& x, const Wall<D>& wall, d
   const double on_wall = first + slope * 1.5 * h;
   if (faced && rise > facing && on_wall < 0) return on_wall;
   const double line = on_wall + slope * depth;
-  if (std::abs(initial_first) > meeting * h || std::abs(initial_slope) > facing) return line;
-  return line + initial(x) - (initial_first + initial_slope * (1.5 * h + depth));
+  if (std::abs(initial_slope) > facing) return line;
+  const double start = initial(x);
+  const bool met = std::abs(initial_first) <= meeting * h;
+  const double value =
+      met ? line + start - (initial_first + initial_slope * (1.5 * h + depth)) : line;
+  return wall.slips() ? value : std::min(value, start);
 }
 
 template <class T, int D>

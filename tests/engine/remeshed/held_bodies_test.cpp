@@ -5,7 +5,7 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// Plane linear bodies under a constant load come to rest and stay at rest.
+// Plane bodies under a constant load, or between walls at rest, come to rest and stay at rest.
 namespace pliant::test {
 namespace {
 
@@ -51,6 +51,45 @@ point = [0.98, 0]
   const double early = values_at(solver, 4)[0], late = values_at(solver, 12)[0];
   EXPECT_NEAR(early / exact, 1, 0.04);
   EXPECT_NEAR(late / early, 1, 0.002);
+}
+
+// The corners used to slip out of the wall, and the block tore off. The reference is the total
+// Lagrangian method with 20 cells across.
+TEST(held_bodies, a_block_stays_on_walls_that_stretch_it_by_half) {
+  const Case settings = tests::read_text(R"toml(dimension = 2
+discretisation = { spacing = 0.05, damping = "adaptive" }
+time = { end = 3 }
+[[body]]
+name = "block"
+geometry = { shape = "box", lower = [0, 0], upper = [1, 2] }
+material = { model = "reduced_polynomial", coefficients = ["100/5.8"], compressibility = 0.006, density = 1 }
+[[boundary]]
+name = "floor"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0, 0], normal = [0, 1] }
+[[boundary]]
+name = "piston"
+kind = "moving_wall"
+displacement = [0, "min(t/2, 1)"]
+geometry = { shape = "half_space", point = [0, 2], normal = [0, -1] }
+[[measurement]]
+name = "force"
+kind = "wall_force"
+boundary = "floor"
+axis = "y"
+[[measurement]]
+name = "flank"
+kind = "point_displacement"
+point = [1, 1]
+[[measurement]]
+name = "energy"
+kind = "strain_energy"
+)toml");
+  Solver solver(settings, {2, kernels::widest_supported()});
+  const std::vector<double> end = values_at(solver, 3);
+  EXPECT_NEAR(end[0], -41.2, 0.05 * 41.2);
+  EXPECT_NEAR(end[1], -0.1554, 0.02 * 0.1554);
+  EXPECT_NEAR(end[2], 23.92, 0.03 * 23.92);
 }
 
 // A block on a frictionless wall under its weight. The wall used to carry 1.033 of it after 20 s,

@@ -13,8 +13,7 @@ namespace {
 
 std::map<std::string, double> bent_beam(const std::string& method, const std::string& load,
                                         int threads) {
-  const std::string damping =
-      method == "remeshed" ? "discretisation.damping" : method + ".damping";
+  const std::string damping = method == "remeshed" ? "discretisation.damping" : method + ".damping";
   const Case settings = tests::read_text(fmt::format(
       R"toml(method = "{}"
 discretisation.spacing = "1/12"
