@@ -235,7 +235,7 @@ struct Case {
     double spacing = 0;  ///< h [m]
     kernels::Kernel kernel = kernels::Kernel::compact;
     DissipationCase dissipation;
-    std::optional<double> damping = 0.;  ///< alpha of (RP.71) [1/s]; none: adaptive, (RP.88)
+    std::optional<double> damping = 0.;  ///< of all methods [1/s]; none: adaptive
   } discretisation;
 
   struct {

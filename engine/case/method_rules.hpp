@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,6 +41,8 @@ struct MethodRules {
   void (*check)(const Check& check);
   /// Visits the keys of the table [NAME], whose values are a struct of the method. Null: none.
   void (*keys)(MethodKeys& visit, MethodParameters& parameters) = nullptr;
+  /// Where the method keeps the damping rate of its own table; none: adaptive. Null: it has none.
+  std::optional<double>& (*damping)(MethodParameters& parameters) = nullptr;
   /// Null: `StepLimits{}`.
   StepLimits (*step_limits)(const Case& a_case) = nullptr;
   /// The method and its parameters in a few words, for `pliant check`. Null: the word.
@@ -48,8 +51,8 @@ struct MethodRules {
   void (*warn)(const Case& a_case, std::vector<std::string>& warnings) = nullptr;
   /// Null: estimates ignore the bodies.
   Footprint (*footprint)(const Case& a_case, const BodyCase& body) = nullptr;
-  /// Whether particles are remeshed. The case then has a kernel, dissipation and damping of the
-  /// lattice, `time.strain`, and the tables [remeshing], [level_set] and [ghosts].
+  /// Whether particles are remeshed. The case then has a kernel, dissipation of the lattice,
+  /// `time.strain`, and the tables [remeshing], [level_set] and [ghosts].
   bool remeshes = false;
   /// Whether parts of one body can be in contact with each other.
   bool has_self_contact = false;

@@ -23,7 +23,7 @@ void visit_motion_keys(MethodKeys& visit, Integrator& integrator, std::optional<
         {.meaning = "when the forces of a step act", .example = R"("leapfrog")"});
   visit("damping", NumberOrWord{damping, "adaptive", "a rate"},
         {.meaning = R"(mass-proportional damping rate (PB.10), or "adaptive" for critical damping )"
-                    "of the present motion (PB.65)",
+                    "of the present motion (PB.65); by default that of [discretisation]",
          .unit = "1/s",
          .example = "0.5",
          .limits = not_negative});

@@ -263,9 +263,8 @@ class Run {
     progress_.message(fmt::format(
         "warning: the kinetic energy of the scaled mass is {:.2g} of the strain energy in the end: "
         "not the static solution; load more slowly (time.end), scale the mass less, or add "
-        "{}.damping",
-        end.kinetic_energy / end.strain_energy,
-        settings_.rules->remeshes ? "discretisation" : settings_.method));
+        "discretisation.damping",
+        end.kinetic_energy / end.strain_energy));
   }
 
   const Case& settings_;

@@ -17,7 +17,7 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
   visit(
       "damping", NumberOrWord{method.damping, "adaptive", "a rate"},
       {.meaning = R"(mass-proportional damping rate (TL.8), or "adaptive" for critical damping of )"
-                  "the present motion (TL.10)",
+                  "the present motion (TL.10); by default that of [discretisation]",
        .unit = "1/s",
        .example = "0.5",
        .limits = not_negative});

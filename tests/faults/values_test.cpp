@@ -137,8 +137,8 @@ material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, densi
      R"(block.toml:4: kernel must be one of "quartic_spline", "quartic_spline_fit", "compact", )"
      R"("fourth_order", got "quartic"; did you mean "quartic_spline"?)"},
     {"a_key_of_an_earlier_version", broken("spacing = 0.1", "spacing = 0.1\nweight = \"compact\""),
-     "block.toml:4: unknown key `weight` in [discretisation]; its keys are spacing, kernel, "
-     "dissipation, damping"},
+     "block.toml:4: unknown key `weight` in [discretisation]; its keys are spacing, damping, "
+     "kernel, dissipation"},
     {"a_negative_dissipation_of_the_stress",
      broken("spacing = 0.1", "spacing = 0.1\ndissipation = { stress = -1 }"),
      "block.toml:4: stress must be from 0 to 2, got -1; write it as in stress = 0.025"},

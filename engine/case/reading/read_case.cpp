@@ -83,6 +83,13 @@ void load_tracks(Case& a_case, const Check& check) {
   }
 }
 
+/// The damping rate of [discretisation], where the table of the method has none of its own.
+void share_damping(const toml::table& root, Case& a_case) {
+  if (a_case.rules == nullptr || a_case.rules->damping == nullptr) return;
+  if (root[a_case.method]["damping"]) return;
+  a_case.rules->damping(a_case.parameters) = a_case.discretisation.damping;
+}
+
 std::string default_name(const std::filesystem::path& file) {
   if (file.filename() == "case.toml") {
     // "." and ".." are not names of folders.
@@ -137,6 +144,7 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
   TableReader reader(root, "the case", Place{file.string(), 1}, reading);
   case_keys(reader, a_case);
   reader.finish();
+  share_damping(root, a_case);
   const Place start{file.string(), 1};
   const Check check{a_case, root, start, methods, problems};
   load_meshes_of(a_case.bodies, "body", check);

@@ -145,13 +145,22 @@ void dissipation_keys(Visitor& visit, DissipationCase& dissipation) {
 
 template <class Visitor>
 void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discretisation,
-                         bool remeshes) {
+                         bool remeshes, bool has_damping) {
   visit("spacing", discretisation.spacing,
         {.meaning = "initial distance h between particles, the resolution",
          .unit = "m",
          .example = "0.03125",
          .limits = positive,
          .required = true});
+  if (remeshes || has_damping) {
+    visit("damping", NumberOrWord{discretisation.damping, "adaptive", "a rate"},
+          {.meaning = R"(mass-proportional damping rate (RP.71), (TL.8), (PB.10), or "adaptive" )"
+                      "for critical damping of the present motion (RP.88), (TL.10), (PB.65), for "
+                      "bodies that come to rest; a rate in the table of a method comes first",
+           .unit = "1/s",
+           .example = "0.5",
+           .limits = not_negative});
+  }
   if (!remeshes) return;
   visit("kernel", discretisation.kernel,
         {.meaning = "smoothing kernel of the gradients", .example = R"("compact")"});
@@ -161,12 +170,6 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
                   "number stands for both strengths; free surfaces need it in long runs",
        .example = "{ velocity = 0.5, stress = 0.025 }",
        .limits = strength_of_dissipation});
-  visit("damping", NumberOrWord{discretisation.damping, "adaptive", "a rate"},
-        {.meaning = R"(mass-proportional damping rate (RP.71), or "adaptive" for critical damping )"
-                    "of the present motion (RP.88), for bodies that come to rest",
-         .unit = "1/s",
-         .example = "0.5",
-         .limits = not_negative});
 }
 
 template <class Visitor>
@@ -209,6 +212,7 @@ void case_keys(Visitor& visit, Case& a_case) {
         {.meaning = "numerical method", .example = R"("remeshed")"});
   a_case.rules = rules_of(visit.methods(), a_case.method);
   const bool remeshes = is_remeshed(a_case);
+  const bool has_damping = a_case.rules != nullptr && a_case.rules->damping != nullptr;
   visit("precision", a_case.precision,
         {.meaning = "precision of the fields; clocks, sums and measurements are double",
          .example = R"("double")"});
@@ -216,8 +220,9 @@ void case_keys(Visitor& visit, Case& a_case) {
         {.meaning = "acceleration of all bodies by a body force, numbers or formulas of x, y, z, t",
          .unit = "m/s^2",
          .example = "[0, -9.81]"});
-  visit.table("discretisation", "Resolution and spatial operators.",
-              [&](auto& keys) { discretisation_keys(keys, a_case.discretisation, remeshes); });
+  visit.table("discretisation", "Resolution and spatial operators.", [&](auto& keys) {
+    discretisation_keys(keys, a_case.discretisation, remeshes, has_damping);
+  });
   visit.table("time", "Simulated time and time step.",
               [&](auto& keys) { time_keys(keys, a_case.time, remeshes); });
   visit.optional_table("remeshing", "Remeshing of the particles onto their lattice.", remeshes,

@@ -110,9 +110,9 @@ gravity = [0, 0]
 
 [discretisation]
 spacing = 0.1
+damping = 0
 kernel = "compact"
 dissipation = { velocity = 0.5, stress = 0.025 }
-damping = 0
 
 [time]
 end = 1
