@@ -60,6 +60,12 @@ struct MethodRules {
   bool shows_states_within_steps = false;
 };
 
+/// For `MethodRules::damping` of a method with these parameters.
+template <class Parameters>
+std::optional<double>& damping_of(MethodParameters& parameters) {
+  return parameters.as<Parameters>().damping;
+}
+
 /// The methods that a case may name.
 using MethodList = std::span<const MethodRules>;
 

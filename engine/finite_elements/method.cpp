@@ -51,9 +51,7 @@ RegisteredMethod method() {
            .meaning = "tetrahedra of a mesh, total Lagrangian explicit dynamics (FE.1)",
            .check = check,
            .keys = visit_keys,
-           .damping = [](MethodParameters& parameters) -> std::optional<double>& {
-             return parameters.as<Parameters>().damping;
-           },
+           .damping = damping_of<Parameters>,
            .step_limits = step_limits,
            .warn = warn,
            .footprint = point_based::footprint,

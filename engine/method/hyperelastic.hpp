@@ -7,8 +7,8 @@
 #include "kernels/hyperelastic_material.hpp"
 #include "kernels/layout.hpp"
 
-/// Hyperelastic materials of the methods on the undeformed body, in plain numbers, for set-up and
-/// measurements. Steps use the kernels.
+/// Hyperelastic materials in plain numbers, for set-up and for measurements of the methods on the
+/// undeformed body. Steps use the kernels.
 namespace pliant {
 
 /// The material of a body as kernels read it; a linear material as (PB.6), with the same constants.

@@ -140,9 +140,7 @@ RegisteredMethod method() {
            .meaning = "nodes of the undeformed body with moving least squares (PB.3), in real time",
            .check = check,
            .keys = visit_keys,
-           .damping = [](MethodParameters& parameters) -> std::optional<double>& {
-             return parameters.as<Parameters>().damping;
-           },
+           .damping = damping_of<Parameters>,
            .step_limits = step_limits,
            .warn = warn,
            .footprint = footprint,

@@ -20,7 +20,6 @@ class Histories {
 
   bool empty() const { return times_.empty(); }
   double last_time() const { return times_.back(); }
-  const std::vector<double>& times() const { return times_; }
   /// Value of measurement `m` at the last time.
   double last(std::size_t m) const { return rows_[m].back(); }
   /// Why measurement `m` has no value at the last time; empty if it has one.

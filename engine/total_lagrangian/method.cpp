@@ -111,9 +111,7 @@ RegisteredMethod method() {
            .meaning = "nodes and stress points of the undeformed body (TL.1), for slow loads",
            .check = check,
            .keys = visit_keys,
-           .damping = [](MethodParameters& parameters) -> std::optional<double>& {
-             return parameters.as<Parameters>().damping;
-           },
+           .damping = damping_of<Parameters>,
            .step_limits = step_limits,
            .summary = summary,
            .warn = warn,

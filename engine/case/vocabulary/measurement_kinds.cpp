@@ -1,10 +1,7 @@
 #include "engine/case/vocabulary/measurement_kinds.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "engine/case/method_rules.hpp"
 #include "engine/case/vocabulary/measurable_fields.hpp"
 
 namespace pliant {
