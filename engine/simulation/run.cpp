@@ -32,6 +32,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// For cases without an interval of their own; 0 if no measurement depends on samples.
+double interval_of_default_samples(const Case& settings) {
+  constexpr int samples = 100;
+  if (settings.output.measure_every > 0 || !depends_on_samples(settings)) return 0;
+  return settings.time.end / samples;
+}
+
 class Run {
  public:
   Run(const Case& settings, const RunOptions& options, const MethodRegistry& methods)
@@ -42,6 +49,7 @@ class Run {
         watch_(settings),
         frames_(settings.output.every),
         samples_(settings.output.measure_every),
+        default_samples_(interval_of_default_samples(settings)),
         checkpoints_(settings.output.checkpoint_every),
         progress_(options.quiet) {}
 
@@ -124,6 +132,7 @@ class Run {
     watch_.get(archive);
     frames_.restore(archive.scalar<std::int64_t>("schedule/frames"));
     samples_.restore(archive.scalar<std::int64_t>("schedule/samples"));
+    default_samples_.passed(solver_->clock().time);
     checkpoints_.restore(archive.scalar<std::int64_t>("schedule/checkpoints"));
     particles_at_start_ = archive.scalar<std::int64_t>("start/particles");
     const auto start = archive.get<double>("start/conserved");
@@ -148,7 +157,9 @@ class Run {
     const double t = solver_->clock().time;
     const bool last = at_end();
     const bool due = solver_->is_measuring_due();
-    if (settings_.output.measure_every == 0 && is_sampling_due(due) && !last) sample();
+    const bool needs_samples = default_samples_.next() < HUGE_VAL;
+    const bool is_default_sample = needs_samples ? default_samples_.passed(t) : due;
+    if (settings_.output.measure_every == 0 && is_default_sample && !last) sample();
     put_out(last);
     // Without an interval of their own, checkpoints are written with frames. There is none at the
     // end: a run that continues to a later end must not keep what exists only because of this end,
@@ -160,11 +171,6 @@ class Run {
     warn_of_instability();
     warn_of_bodies(due, last);
     show();
-  }
-
-  // Without an interval of their own.
-  bool is_sampling_due(bool is_measuring_due) const {
-    return needs_samples_ ? is_sampled(solver_->clock().step) : is_measuring_due;
   }
 
   void show() {
@@ -272,12 +278,11 @@ class Run {
   std::unique_ptr<Solver> solver_;
   Histories histories_;
   Watch watch_;
-  Schedule frames_, samples_, checkpoints_;
+  Schedule frames_, samples_, default_samples_, checkpoints_;
   Progress progress_;
   std::optional<ResultFile> result_;
   ConservedQuantities start_;
   std::int64_t particles_at_start_ = 0;
-  const bool needs_samples_ = depends_on_samples(settings_);
   bool has_new_frame_ = false;    ///< since the last checkpoint was considered
   bool is_unstable_ = false;      ///< the step is above the stability limit
   bool tool_passes_ = false;      ///< through the surface of a body

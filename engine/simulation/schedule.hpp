@@ -1,18 +1,9 @@
 #pragma once
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
 namespace pliant {
-
-/// Whether a sample is due after `step` steps, such that the last 1/128 to 1/64 of the steps so far
-/// lie between two samples. It does not depend on when a run ends.
-inline bool is_sampled(std::int64_t step) {
-  const auto share = static_cast<std::uint64_t>(std::max<std::int64_t>(1, step / 64));
-  return step % static_cast<std::int64_t>(std::bit_floor(share)) == 0;
-}
 
 /// Instants at multiples of `every`; `every` = 0 means never.
 class Schedule {
@@ -23,6 +14,13 @@ class Schedule {
   bool reached(double time) {
     if (time < next() * (1 - 1e-12)) return false;
     ++count_;
+    return true;
+  }
+  /// The same, but advances to the first instant after `time`: what comes next follows from the
+  /// time alone.
+  bool passed(double time) {
+    if (time < next() * (1 - 1e-12)) return false;
+    count_ = static_cast<std::int64_t>(time / every_ * (1 + 1e-12));
     return true;
   }
   std::int64_t count() const { return count_; }

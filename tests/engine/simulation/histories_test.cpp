@@ -155,15 +155,17 @@ TEST_F(MeasuredHistories, values_have_the_units_of_what_is_measured) {
   EXPECT_EQ(unit_of(space, m), "s");
 }
 
-TEST(samples, lie_at_most_a_sixty_fourth_of_the_steps_apart) {
-  std::int64_t last = 0, count = 0;
-  for (std::int64_t step = 1; step <= 100'000; ++step) {
-    EXPECT_LE(step - last, std::max<std::int64_t>(1, step / 64)) << step;
-    if (!is_sampled(step)) continue;
-    last = step;
-    ++count;
+TEST(schedule, follows_from_the_time_alone_where_it_passes_several_instants) {
+  Schedule all(0.1), from_the_middle(0.1);
+  from_the_middle.passed(0.47);
+  for (const double time : {0.05, 0.12, 0.47, 0.49, 0.5, 0.93}) {
+    const bool passed = all.passed(time);
+    EXPECT_EQ(passed, time != 0.05 && time != 0.49) << time;
+    if (time > 0.47) {
+      EXPECT_EQ(from_the_middle.passed(time), passed) << time;
+    }
   }
-  EXPECT_LT(count, 64 * 12);  // 64 for each doubling
+  EXPECT_FALSE(Schedule(0).passed(1e9));
 }
 
 TEST(samples, matter_to_means_and_histories) {
