@@ -15,6 +15,24 @@ enum class Model : std::uint8_t {
   st_venant_kirchhoff
 };
 
+/// Calls `f.operator()<model>()` with the model as a constant.
+template <class F>
+decltype(auto) with_model(Model model, F&& f) {
+  switch (model) {
+    case Model::linear:
+      return f.template operator()<Model::linear>();
+    case Model::linear_logarithmic:
+      return f.template operator()<Model::linear_logarithmic>();
+    case Model::neo_hookean:
+      return f.template operator()<Model::neo_hookean>();
+    case Model::st_venant_kirchhoff:
+      return f.template operator()<Model::st_venant_kirchhoff>();
+    case Model::reduced_polynomial:
+      break;
+  }
+  return f.template operator()<Model::reduced_polynomial>();
+}
+
 /// Whether particles of a material carry F, not S.
 constexpr bool carries_deformation(Model model) {
   return model != Model::linear && model != Model::linear_logarithmic;

@@ -152,14 +152,6 @@ void Wall<D>::restore(const WallPose<D>& pose) {
   if (rotation_) turn_ = Turn(rotation_->axis, pose_.angle);
 }
 
-namespace {
-
-bool depends_on_place(const Expression& formula) {
-  return formula.uses('x') || formula.uses('y') || formula.uses('z');
-}
-
-}  // namespace
-
 template <int D>
 SurfacePressure<D>::SurfacePressure(const BoundaryCase& boundary)
     : region_(boundary.geometry),
@@ -167,8 +159,8 @@ SurfacePressure<D>::SurfacePressure(const BoundaryCase& boundary)
       traction_(boundary.traction),
       area_(boundary.area),
       is_traction_(boundary.kind == BoundaryCase::Kind::traction),
-      is_uniform_(!depends_on_place(pressure_) &&
-                  std::ranges::none_of(traction_, depends_on_place)) {}
+      is_uniform_(!pressure_.uses_place() &&
+                  std::ranges::none_of(traction_, &Expression::uses_place)) {}
 
 template <int D>
 double SurfacePressure<D>::pressure(const Point<D>& x, double t) const {

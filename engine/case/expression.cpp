@@ -82,7 +82,9 @@ void refuse_assignment(const std::string& formula) {
 template <class Parser>
 std::unique_ptr<Parser> parse(const std::string& formula) {
   try {
-    return std::make_unique<Parser>(formula);
+    auto parser = std::make_unique<Parser>(formula);
+    parser->present();
+    return parser;
   } catch (const mu::ParserError& error) {
     throw std::invalid_argument(explain(error));
   }
@@ -91,10 +93,11 @@ std::unique_ptr<Parser> parse(const std::string& formula) {
 }  // namespace
 
 struct Expression::Parser {
-  explicit Parser(const std::string& formula) : first(formula), of_thread(formula) {}
+  explicit Parser(const std::string& formula) : of_thread(formula) {}
 
-  FormulaOfThread first;
-  tbb::enumerable_thread_specific<FormulaOfThread> of_thread;
+  mu::Parser& present() { return of_thread.local().parser; }
+
+  tbb::enumerable_thread_specific<FormulaOfThread> of_thread;  ///< parsed where first used
 };
 
 Expression::Expression(double constant) : text_(fmt::format("{}", constant)), constant_(constant) {}
@@ -103,11 +106,11 @@ Expression::Expression(const std::string& formula)
     : text_(formula), parser_(parse<Parser>(formula)) {
   refuse_assignment(formula);
   try {
-    constant_ = parser_->first.parser.Eval();
-    if (parser_->first.parser.GetNumResults() > 1) {
+    constant_ = parser_->present().Eval();
+    if (parser_->present().GetNumResults() > 1) {
       throw std::invalid_argument("several values separated by commas, where one is expected");
     }
-    if (!parser_->first.parser.GetUsedVar().empty()) return;
+    if (!parser_->present().GetUsedVar().empty()) return;
   } catch (const mu::ParserError& error) {
     throw std::invalid_argument(explain(error));
   }
@@ -144,7 +147,7 @@ double Expression::operator()(double x, double y, double z, double t) const {
 }
 
 bool Expression::uses(char variable) const {
-  return parser_ && parser_->first.parser.GetUsedVar().contains(std::string(1, variable));
+  return parser_ && parser_->present().GetUsedVar().contains(std::string(1, variable));
 }
 
 }  // namespace pliant

@@ -24,6 +24,7 @@ class Expression {
   bool is_constant() const { return parser_ == nullptr; }
   /// Whether the value depends on `variable`: one of x, y, z, t.
   bool uses(char variable) const;
+  bool uses_place() const { return uses('x') || uses('y') || uses('z'); }
   const std::string& text() const { return text_; }
 
  private:

@@ -14,7 +14,7 @@ class Gravity {
     for (int a = 0; a < D; ++a) {
       const Expression& g = formula_[a];
       acts_ = acts_ || !g.is_constant() || g(0) != 0;
-      is_uniform_ = is_uniform_ && !g.uses('x') && !g.uses('y') && !g.uses('z');
+      is_uniform_ = is_uniform_ && !g.uses_place();
     }
   }
 

@@ -54,24 +54,12 @@ auto by_law(const kernels::Material<T>& material, const FieldStore<T, D>& fields
             F&& f) {
   using Pack = xsimd::batch<T, xsimd::sse2>;
   const auto state = material_state<T, D>(fields, slot);
-  const auto call = [&]<kernels::Model model>() {
+  return kernels::with_model(material.model, [&]<kernels::Model model>() {
     using Law = kernels::Law<model, Pack, D>;
     Pack carried[Law::components];
     for (int c = 0; c < Law::components; ++c) carried[c] = Pack(state[c]);
     return f.template operator()<Law>(carried, Pack(density<T, D>(fields, slot)));
-  };
-  switch (material.model) {
-    case kernels::Model::linear:
-      return call.template operator()<kernels::Model::linear>();
-    case kernels::Model::linear_logarithmic:
-      return call.template operator()<kernels::Model::linear_logarithmic>();
-    case kernels::Model::reduced_polynomial:
-      return call.template operator()<kernels::Model::reduced_polynomial>();
-    case kernels::Model::neo_hookean:
-      return call.template operator()<kernels::Model::neo_hookean>();
-    default:
-      return call.template operator()<kernels::Model::st_venant_kirchhoff>();
-  }
+  });
 }
 
 /// sum p_i of (RP.10) [Pa].

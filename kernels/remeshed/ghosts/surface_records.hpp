@@ -76,18 +76,7 @@ void write_records(const SurfaceRecords<Scalar<P>, D>& block) {
 
 template <class P, int D>
 void write_surface_records(const SurfaceRecords<Scalar<P>, D>& block) {
-  switch (block.material.model) {
-    case Model::linear:
-      return write_records<Model::linear, P, D>(block);
-    case Model::linear_logarithmic:
-      return write_records<Model::linear_logarithmic, P, D>(block);
-    case Model::reduced_polynomial:
-      return write_records<Model::reduced_polynomial, P, D>(block);
-    case Model::neo_hookean:
-      return write_records<Model::neo_hookean, P, D>(block);
-    case Model::st_venant_kirchhoff:
-      return write_records<Model::st_venant_kirchhoff, P, D>(block);
-  }
+  with_model(block.material.model, [&]<Model model>() { write_records<model, P, D>(block); });
 }
 
 }  // namespace pliant::kernels

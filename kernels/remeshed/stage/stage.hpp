@@ -48,19 +48,9 @@ GradientsOfChunk<P, D> gradients_for(Kernel kernel, Gradient gradient) {
 
 template <StagePlace place, class P, int D>
 UpdateOfChunk<P, D> update_for(Model model) {
-  switch (model) {
-    case Model::linear:
-      return stage_update<Model::linear, place, P, D>;
-    case Model::linear_logarithmic:
-      return stage_update<Model::linear_logarithmic, place, P, D>;
-    case Model::neo_hookean:
-      return stage_update<Model::neo_hookean, place, P, D>;
-    case Model::st_venant_kirchhoff:
-      return stage_update<Model::st_venant_kirchhoff, place, P, D>;
-    case Model::reduced_polynomial:
-      break;
-  }
-  return stage_update<Model::reduced_polynomial, place, P, D>;
+  return with_model(model, []<Model constant>() -> UpdateOfChunk<P, D> {
+    return stage_update<constant, place, P, D>;
+  });
 }
 
 enum class Slots { vacant, ghosts, particles };

@@ -35,24 +35,8 @@ Scalar<P> stress_of_block(const StressOfState<Scalar<P>, D>& block) {
 /// See StressOfState. Computes neither the strain rate nor a non-finite slot.
 template <class P, int D>
 StageResult evaluate_stress(const StressOfState<Scalar<P>, D>& block) {
-  Scalar<P> wave_speed2 = 0;
-  switch (block.material.model) {
-    case Model::linear:
-      wave_speed2 = stress_of_block<Model::linear, P, D>(block);
-      break;
-    case Model::linear_logarithmic:
-      wave_speed2 = stress_of_block<Model::linear_logarithmic, P, D>(block);
-      break;
-    case Model::reduced_polynomial:
-      wave_speed2 = stress_of_block<Model::reduced_polynomial, P, D>(block);
-      break;
-    case Model::neo_hookean:
-      wave_speed2 = stress_of_block<Model::neo_hookean, P, D>(block);
-      break;
-    case Model::st_venant_kirchhoff:
-      wave_speed2 = stress_of_block<Model::st_venant_kirchhoff, P, D>(block);
-      break;
-  }
+  const Scalar<P> wave_speed2 = with_model(
+      block.material.model, [&]<Model model>() { return stress_of_block<model, P, D>(block); });
   StageResult result;
   result.wave_speed = square_root<P>(wave_speed2);
   return result;

@@ -107,9 +107,10 @@ Case bimetal_strip(const std::string& method, double upper_modulus) {
   const auto layer = [&](const char* name, const char* lower, const char* upper, double modulus) {
     return fmt::format(
         "[[body]]\nname = \"{}\"\ngeometry = {{ shape = \"box\", lower = [-5, {}], upper = [5, {}] "
-        "}}\nmaterial = {{ model = \"{}\", youngs_modulus = {}, poissons_ratio = 0.3, density = 1 "
+        "}}\nmaterial = {{ model = \"linear\", youngs_modulus = {}, poissons_ratio = 0.3, density "
+        "= 1 "
         "}}\n",
-        name, lower, upper, method == "point_based" ? "neo_hookean" : "linear", modulus);
+        name, lower, upper, modulus);
   };
   const auto height = [](const char* name, double x) {
     return fmt::format(
