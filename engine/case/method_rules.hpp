@@ -77,6 +77,15 @@ inline bool is_remeshed(const Case& a_case) {
   return a_case.rules != nullptr && a_case.rules->remeshes;
 }
 
+/// Whether the damping rate of a case is that of the present motion.
+inline bool is_damped_adaptively(const Case& a_case) {
+  if (a_case.rules == nullptr || a_case.rules->damping == nullptr) {
+    return !a_case.discretisation.damping;
+  }
+  MethodParameters parameters = a_case.parameters;
+  return !a_case.rules->damping(parameters);
+}
+
 /// The warnings of the method of a case.
 std::vector<std::string> warnings_of_method(const Case& a_case);
 

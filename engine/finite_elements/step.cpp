@@ -67,8 +67,8 @@ std::vector<Phase> Step<T, D>::phases() {
   nodes_.add_contact(rows, {of(displacement) + of(velocity), of(constants), of(contact_lists),
                             of(contact_places), of(contact_normals), of(touches)});
   if (nodes_.bodies_touch()) {
-    rows.each("work", own(of(velocity) + of(constants) + of(loads)), own(of(results)),
-              [this](int block) { nodes_.end_motion(block); });
+    rows.each("work", own(of(velocity) + of(constants) + of(loads) + of(own_sums)),
+              own(of(own_sums) + of(results)), [this](int block) { nodes_.end_motion(block); });
   }
   return phases;
 }

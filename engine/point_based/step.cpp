@@ -1,7 +1,7 @@
 #include "engine/point_based/step.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <numeric>
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/point_based/block_arguments.hpp"
@@ -55,6 +55,7 @@ template <class T, int D>
 void Step<T, D>::prepare_blocks() {
   results_.assign(state_.blocks.size(), {});
   sampler_.prepare_blocks(state_.blocks.size());
+  inertia_.assign(state_.blocks.size(), 0);
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
   body_contact_.take_surfaces(state_.bodies);
@@ -100,8 +101,8 @@ std::vector<Phase> Step<T, D>::phases() {
   add_contact(rows, {motion, held, of(contact_lists), of(contact_places), of(contact_normals),
                      of(touches)});
   if (bodies_touch()) {
-    rows.each("work", own(of(velocity) + of(mass) + of(constants) + of(loads)), own(of(results)),
-              run(&Step::end_motion));
+    rows.each("work", own(of(velocity) + of(mass) + of(constants) + of(loads) + of(own_forces)),
+              own(of(own_forces) + of(results)), run(&Step::end_motion));
   }
   return phases;
 }
@@ -175,14 +176,14 @@ template <class T, int D>
 StepResult Step<T, D>::fold() {
   if (!contact_.is_expected()) meet_walls();
   StepResult result;
-  double inertia = 0, damped = 0;
+  undeformed::DampedMotion motion;
   for (std::size_t b = 0; b < results_.size() && result.non_finite < 0; ++b) {
     result.non_finite = results_[b].forces.non_finite;
     result.failed_block = static_cast<int>(b);
     result.frequency2 = std::max(result.frequency2, results_[b].forces.frequency2);
-    inertia += results_[b].motion.inertia;
+    motion.before += results_[b].motion.inertia;
     // Nodes whose velocities change sign from step to step lose little, (TL.28).
-    damped += results_[b].motion.inertia_of_means;
+    motion.of_means += results_[b].motion.inertia_of_means;
   }
   if (advance_.samples) result.secant = sampler_.secant();
   for (const auto& of_body : state_.cuts) {
@@ -192,7 +193,8 @@ StepResult Step<T, D>::fold() {
     for (int a = 0; a < D; ++a) blade.impulse[a] += advance_.length * blade.force[a];
     blade.work += advance_.length * blade.power;
   }
-  work_.fold(inertia, bodies_touch() ? std::nullopt : std::optional(damped));
+  if (bodies_touch()) motion.after = std::accumulate(inertia_.begin(), inertia_.end(), 0.);
+  work_.fold(motion);
   result.overlap = body_contact_.deepest();
   return result;
 }
@@ -228,25 +230,37 @@ void Step<T, D>::evaluate_forces(int block) {
 template <class T, int D>
 void Step<T, D>::move(int block) {
   const auto [body, local] = owner(block);
-  const double damping = state_.clock.damping, half = damping * advance_.length / 2;
   auto arguments = motion_arguments(body, local);
-  arguments.kept = static_cast<T>((1 - half) / (1 + half));
-  arguments.gained = static_cast<T>(advance_.length / (1 + half));
+  const undeformed::Kick<T> of_step = kick();
+  arguments.kept = of_step.kept;
+  arguments.gained = of_step.gained;
   arguments.drift = static_cast<T>(drift_length());
   for (int a = 0; a < D; ++a) {
     arguments.gravity[a] = static_cast<T>(loads_.uniform_gravity()[a]);
   }
-  if (damping > 0) arguments.mass = body.mass.get();
+  if (state_.clock.damping > 0) arguments.mass = body.mass.get();
   work_.begin_motion(block, body, local, power(block));
-  if (advance_.samples) sampler_.begin(block, body, local);
+  const NodeBlock& range = body.blocks[local];
+  if (advance_.samples) sampler_.begin(block, body, range.first, range.nodes);
   results_[block].motion = kernels_.advance(arguments);
-  if (advance_.samples) sampler_.end(block, body, local);
   work_.hold(block, body, local);
   if (!bodies_touch()) end_motion(block);
 }
 
 template <class T, int D>
+undeformed::Kick<T> Step<T, D>::kick() const {
+  const double half = state_.clock.damping * advance_.length / 2;
+  return {static_cast<T>((1 - half) / (1 + half)), static_cast<T>(advance_.length / (1 + half))};
+}
+
+template <class T, int D>
 void Step<T, D>::end_motion(int block) {
+  const auto [body, local] = owner(block);
+  if (advance_.samples) sampler_.end(block, body, kick());
+  if (bodies_touch() && state_.clock.damping != 0) {
+    const NodeBlock& range = body.blocks[local];
+    inertia_[block] = undeformed::inertia_of(body, range.first, range.nodes);
+  }
   work_.end_motion(block, power(block));
 }
 

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/point_based/forces/motion_sampler.hpp"
 #include "engine/point_based/forces/node_loads.hpp"
 #include "engine/point_based/state.hpp"
 #include "engine/undeformed/advance.hpp"
 #include "engine/undeformed/boundary_work.hpp"
 #include "engine/undeformed/contact/body_contact.hpp"
 #include "engine/undeformed/contact/wall_contact.hpp"
+#include "engine/undeformed/motion_sampler.hpp"
 #include "kernels/point_based/table.hpp"
 #include "scheduler/phase.hpp"
 
@@ -63,6 +63,7 @@ class Step {
   bool has_punctures() const;
   void press_surfaces();
   void meet_walls();
+  undeformed::Kick<T> kick() const;
   /// Power of loads and gravity on a block at the present velocities [W].
   EnergyBudget power(int block) const;
 
@@ -93,7 +94,8 @@ class Step {
   undeformed::WallContact<T, D> contact_;
   undeformed::BodyContact<T, D> body_contact_;
   std::vector<BlockResult> results_;  ///< [block]
-  MotionSampler<T, D> sampler_;
+  undeformed::MotionSampler<T, D> sampler_;
+  std::vector<double> inertia_;  ///< [block] sum of m u^2 after contact, with damping [J]
 };
 
 extern template class Step<double, 2>;

@@ -18,6 +18,7 @@
 #include "engine/output/progress.hpp"
 #include "engine/output/results/result_file.hpp"
 #include "engine/output/summary.hpp"
+#include "engine/simulation/default_samples.hpp"
 #include "engine/simulation/histories.hpp"
 #include "engine/simulation/lost_stiffness.hpp"
 #include "engine/simulation/passing_bodies.hpp"
@@ -32,13 +33,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// For cases without an interval of their own; 0 if no measurement depends on samples.
-double interval_of_default_samples(const Case& settings) {
-  constexpr int samples = 100;
-  if (settings.output.measure_every > 0 || !depends_on_samples(settings)) return 0;
-  return settings.time.end / samples;
-}
-
 class Run {
  public:
   Run(const Case& settings, const RunOptions& options, const MethodRegistry& methods)
@@ -49,8 +43,8 @@ class Run {
         watch_(settings),
         frames_(settings.output.every),
         samples_(settings.output.measure_every),
-        default_samples_(interval_of_default_samples(settings)),
         checkpoints_(settings.output.checkpoint_every),
+        default_samples_(settings),
         progress_(options.quiet) {}
 
   RunEnd operator()() {
@@ -132,7 +126,7 @@ class Run {
     watch_.get(archive);
     frames_.restore(archive.scalar<std::int64_t>("schedule/frames"));
     samples_.restore(archive.scalar<std::int64_t>("schedule/samples"));
-    default_samples_.passed(solver_->clock().time);
+    default_samples_.restore(histories_.last_time());
     checkpoints_.restore(archive.scalar<std::int64_t>("schedule/checkpoints"));
     particles_at_start_ = archive.scalar<std::int64_t>("start/particles");
     const auto start = archive.get<double>("start/conserved");
@@ -157,9 +151,7 @@ class Run {
     const double t = solver_->clock().time;
     const bool last = at_end();
     const bool due = solver_->is_measuring_due();
-    const bool needs_samples = default_samples_.next() < HUGE_VAL;
-    const bool is_default_sample = needs_samples ? default_samples_.passed(t) : due;
-    if (settings_.output.measure_every == 0 && is_default_sample && !last) sample();
+    if (default_samples_.due(*solver_) && !last) sample();
     put_out(last);
     // Without an interval of their own, checkpoints are written with frames. There is none at the
     // end: a run that continues to a later end must not keep what exists only because of this end,
@@ -278,7 +270,8 @@ class Run {
   std::unique_ptr<Solver> solver_;
   Histories histories_;
   Watch watch_;
-  Schedule frames_, samples_, default_samples_, checkpoints_;
+  Schedule frames_, samples_, checkpoints_;
+  DefaultSamples default_samples_;
   Progress progress_;
   std::optional<ResultFile> result_;
   ConservedQuantities start_;

@@ -84,6 +84,9 @@ void Watch::look(Solver& solver) {
   if (balance.budget) {
     is_known_ = 1;
     budget_ = *balance.budget;
+    if (t > looked_at_) damping_power_ = (budget_.damping - damped_by_then_) / (t - looked_at_);
+    looked_at_ = t;
+    damped_by_then_ = budget_.damping;
     created_ = present_.total_energy - start_.total_energy - budget_.work() + budget_.losses();
     // Under an initial stress the strain energy becomes negative where a body springs back. What it
     // has given up by then is an energy like any other, even if damping keeps the body slow.
@@ -147,7 +150,7 @@ SummaryChecks Watch::report() const {
   return checks;
 }
 
-std::array<double*, 25> Watch::numbers() {
+std::array<double*, 27> Watch::numbers() {
   return {&start_.mass,
           &start_.momentum[0],
           &start_.momentum[1],
@@ -172,7 +175,9 @@ std::array<double*, 25> Watch::numbers() {
           &angular_scale_,
           &angular_momentum_.share,
           &angular_momentum_.time,
-          &angular_momentum_.warned};
+          &angular_momentum_.warned,
+          &looked_at_,
+          &damped_by_then_};
 }
 
 void Watch::put(ArchiveWriter& archive) const {

@@ -52,10 +52,11 @@ class Watch {
   std::string judge_loss() const;
   std::string judge_rest(const Solver& solver, bool last) const;
   std::string judge_slow_load(const Solver& solver) const;
+  std::string judge_damping(const Solver& solver) const;
   /// Spurious energy of bodies at rest from rounding [J].
   double rounding_energy() const;
   void look_at_momentum(const Solver& solver);
-  std::array<double*, 25> numbers();
+  std::array<double*, 27> numbers();
 
   const Case& settings_;
   double mass_scaling_;  ///< in momenta and kinetic energy
@@ -63,7 +64,9 @@ class Watch {
   ConservedQuantities start_, present_;
   EnergyBudget budget_;
   double created_ = 0, scale_ = 0, momentum_scale_ = 0, angular_scale_ = 0;
-  double is_known_ = 0;  ///< whether the method accounts for work
+  double is_known_ = 0;                        ///< whether the method accounts for work
+  double looked_at_ = 0, damped_by_then_ = 0;  ///< time [s], and loss by damping until then [J]
+  double damping_power_ = 0;                   ///< mean since the look before [W]
   Excess energy_, mass_, momentum_, angular_momentum_;
 };
 

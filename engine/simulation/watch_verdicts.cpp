@@ -105,7 +105,8 @@ std::vector<std::string> Watch::verdicts(const Solver& solver, bool last) {
       judge_number(solver, last),
       judge_rest(solver, last),
       judges_the_end ? judge_loss() : "",
-      judges_the_end ? judge_slow_load(solver) : ""};
+      judges_the_end ? judge_slow_load(solver) : "",
+      judges_the_end ? judge_damping(solver) : ""};
   std::erase(warnings, "");
   return warnings;
 }
@@ -167,6 +168,22 @@ std::string Watch::judge_slow_load(const Solver& solver) const {
       "the waves in the bodies; the remeshed method creeps then, and its forces may be wrong by "
       "10 % or more; take method = \"total_lagrangian\" (or set checks.energy)",
       strain);
+}
+
+// Adaptive damping is to bring bodies to rest. While they move, walls and loads work against it.
+std::string Watch::judge_damping(const Solver& solver) const {
+  const StepClock& clock = solver.clock();
+  if (!is_damped_adaptively(settings_) || is_known_ == 0 || !(scale_ > rounding_energy()))
+    return "";
+  const double at_end = 2 * clock.damping * present_.kinetic_energy;
+  const double share = std::min(at_end, damping_power_) * clock.time / scale_;
+  if (!(share > tolerated)) return "";
+  return fmt::format(
+      "warning: in the end the bodies still move, and damping takes a share of {:.2g} of the "
+      "forces "
+      "on them; hold the load until they are at rest (time.end), or load more slowly (or set "
+      "checks.energy)",
+      share);
 }
 
 }  // namespace pliant

@@ -88,7 +88,6 @@ struct Body : undeformed::Body<T, D> {
   Buffer<T> regular_fraction;  ///< the same, 0 in fitted cells
   /// S0 of (TL.14) at the stress points [Pa]; empty without initial stress.
   std::array<Buffer<T>, kernels::symmetric_components<D>> initial_stress;
-  std::array<Buffer<T>, D> internal;
   std::vector<kernels::PronyTerm<double>> prony;
   std::vector<Buffer<T>>
       memory_pressure;      ///< [term] p_i of (RP.10) at the last stress evaluation [Pa]

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "engine/boundaries/boundary_values.hpp"
@@ -38,7 +37,7 @@ class BoundaryForces {
   /// Adds impulses and work of the step to the state, in the order of the blocks. `inertia` is the
   /// sum of m u^2 before the step; `damped` is that of the mean velocities in it [J], unless
   /// contact changes these.
-  void fold(double inertia, std::optional<double> damped) { work_.fold(inertia, damped); }
+  void fold(const undeformed::DampedMotion& motion) { work_.fold(motion); }
 
  private:
   struct Owned {

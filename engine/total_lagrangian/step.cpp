@@ -1,7 +1,7 @@
 #include "engine/total_lagrangian/step.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <numeric>
 
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/phase_rows.hpp"
@@ -50,7 +50,8 @@ Step<T, D>::Step(State<T, D>& state, const Case& settings,
 template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
   results_.assign(state_.blocks.size(), {});
-  secants_.assign(state_.blocks.size(), {});
+  sampler_.prepare_blocks(state_.blocks.size());
+  inertia_.assign(state_.blocks.size(), 0);
   boundary_forces_.prepare_blocks();
   body_contact_.take_surfaces(state_.bodies);
   contact_.take_surfaces(state_.bodies, undeformed::ImpulseCarriers::all);
@@ -72,15 +73,18 @@ std::vector<Phase> Step<T, D>::phases() {
                 own(of(tractions) + of(surface) + of(internal_forces) + of(velocity) + of(next)),
             own(of(internal_forces) + of(velocity) + of(next) + of(results)),
             [this](int block) { move(block); });
-  const Resources motion = of(next) + of(velocity), held = of(constants) + of(surface);
+  const Resources motion = of(next) + of(velocity) + of(internal_forces),
+                  held = of(constants) + of(surface);
   if (contact_.is_expected()) {
     rows.reduce("contact walls", all(motion + held), all(motion), [this] { meet_walls(); });
   }
   body_contact_.add_phases(rows, {motion, held, of(contact_lists), of(contact_places),
                                   of(contact_normals), of(touches)});
   if (bodies_touch()) {
-    rows.each("work", near(of(patch_forces)) + own(of(velocity) + of(tractions) + held),
-              own(of(results)), [this](int block) { boundary_forces_.end_motion(block); });
+    rows.each(
+        "work",
+        near(of(patch_forces)) + own(of(velocity) + of(tractions) + of(internal_forces) + held),
+        own(of(internal_forces) + of(results)), [this](int block) { end_motion(block); });
   }
   return phases;
 }
@@ -130,18 +134,19 @@ StepResult Step<T, D>::fold() {
   if (!contact_.is_expected()) meet_walls();
   for (Body<T, D>& body : state_.bodies) body.take_next();
   StepResult result;
-  double inertia = 0, damped = 0;
+  undeformed::DampedMotion motion;
   for (std::size_t b = 0; b < results_.size(); ++b) {
     result.wave_speed = std::max(result.wave_speed, results_[b].wave_speed);
-    if (advance_.samples) result.secant += secants_[b];
-    inertia += results_[b].inertia;
-    damped += results_[b].damped;
+    motion.before += results_[b].inertia;
+    motion.of_means += results_[b].damped;
     if (results_[b].non_finite >= 0 && result.non_finite < 0) {
       result.non_finite = results_[b].non_finite;
       result.failed_block = static_cast<int>(b);
     }
   }
-  boundary_forces_.fold(inertia, bodies_touch() ? std::nullopt : std::optional(damped));
+  if (advance_.samples) result.secant = sampler_.secant();
+  if (bodies_touch()) motion.after = std::accumulate(inertia_.begin(), inertia_.end(), 0.);
+  boundary_forces_.fold(motion);
   result.overlap = body_contact_.deepest();
   return result;
 }
@@ -218,9 +223,9 @@ void Step<T, D>::set_cells(const Body<T, D>& body, int local, kernels::Motion<T,
 
 template <class T, int D>
 void Step<T, D>::set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) const {
-  const double half = state_.clock.damping * advance_.kick() / 2;
-  work.kept = static_cast<T>((1 - half) / (1 + half));
-  work.gained = static_cast<T>(advance_.kick() / ((1 + half) * state_.clock.mass_scaling));
+  const undeformed::Kick<T> of_step = kick();
+  work.kept = of_step.kept;
+  work.gained = of_step.gained;
   work.time_step = static_cast<T>(advance_.length);
   work.damped = state_.clock.damping != 0;
   work.inverse_mass = body.inverse_mass.get();
@@ -234,11 +239,10 @@ void Step<T, D>::set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) co
 }
 
 template <class T, int D>
-undeformed::Secant Step<T, D>::sample(Body<T, D>& body, const Block<D>& range) {
-  return undeformed::take_sample<T, D>(
-      body, range.first_slot, range.slot_count,
-      [&body](int a, std::int64_t slot) { return body.displacement[a][slot]; },
-      [&body](int a, std::int64_t slot) { return body.internal[a][slot]; });
+undeformed::Kick<T> Step<T, D>::kick() const {
+  const double half = state_.clock.damping * advance_.kick() / 2;
+  return {static_cast<T>((1 - half) / (1 + half)),
+          static_cast<T>(advance_.kick() / ((1 + half) * state_.clock.mass_scaling))};
 }
 
 template <class T, int D>
@@ -255,10 +259,21 @@ void Step<T, D>::move(int block) {
   std::array<Buffer<T>, D>& force = force_[std::max(workers_.index(), 0)];
   for (int a = 0; a < D; ++a) work.force[a] = force[a].get();
   boundary_forces_.begin_motion(block);
+  if (advance_.samples) sampler_.begin(block, body, range.first_slot, range.slot_count);
   results_[block] = kernels_.advance_motion(work);
-  if (advance_.samples) secants_[block] = sample(body, range);
   boundary_forces_.hold(block);
-  if (!bodies_touch()) boundary_forces_.end_motion(block);
+  if (!bodies_touch()) end_motion(block);
+}
+
+template <class T, int D>
+void Step<T, D>::end_motion(int block) {
+  const auto [body, local] = owner(block);
+  if (advance_.samples) sampler_.end(block, body, kick());
+  if (bodies_touch() && state_.clock.damping != 0) {
+    const Block<D>& range = body.layout.blocks()[local];
+    inertia_[block] = undeformed::inertia_of(body, range.first_slot, range.slot_count);
+  }
+  boundary_forces_.end_motion(block);
 }
 
 template class Step<double, 2>;

@@ -8,6 +8,7 @@
 #include "engine/undeformed/advance.hpp"
 #include "engine/undeformed/contact/body_contact.hpp"
 #include "engine/undeformed/contact/wall_contact.hpp"
+#include "engine/undeformed/motion_sampler.hpp"
 #include "kernels/total_lagrangian/table.hpp"
 #include "scheduler/phase.hpp"
 #include "scheduler/workers.hpp"
@@ -57,8 +58,10 @@ class Step {
   void set_cells(const Body<T, D>& body, int local, kernels::Motion<T, D>& work) const;
   void set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) const;
   void reserve_forces();
-  static undeformed::Secant sample(Body<T, D>& body, const Block<D>& range);
   void move(int block);
+  /// Called when velocities are final.
+  void end_motion(int block);
+  undeformed::Kick<T> kick() const;
 
   struct Owned {
     Body<T, D>& body;
@@ -80,7 +83,8 @@ class Step {
   std::vector<BodyMemory<T>> memory_;            ///< [body]
   std::vector<std::array<Buffer<T>, D>> force_;  ///< [worker], for one block at a time [N]
   std::vector<kernels::MotionResult> results_;   ///< [block]
-  std::vector<undeformed::Secant> secants_;      ///< [block] of the last sample
+  undeformed::MotionSampler<T, D> sampler_;
+  std::vector<double> inertia_;  ///< [block] sum of m u^2 after contact, with damping [J]
 };
 
 extern template class Step<double, 2>;

@@ -46,12 +46,19 @@ struct Body {
   std::array<Buffer<T>, D> end_displacement;
   /// The same for velocities that belong to the ends of steps, and their gain in the step [m/s].
   std::array<Buffer<T>, D> end_velocity, velocity_gain;
-  /// Displacements [m] and internal forces [N] at the last sample of the motion; only with adaptive
-  /// damping, (TL.10).
+  /// Internal forces of the last step, and what contact has added [N]; only in the total Lagrangian
+  /// method, for velocities at the ends of steps.
+  std::array<Buffer<T>, D> internal;
+  /// Displacements [m] and forces [N] at the last sample of the motion; only with adaptive damping,
+  /// (TL.10).
   std::array<Buffer<T>, D> sampled_displacement, sampled_force;
   std::vector<std::vector<ConstrainedParticle<D>>> held;  ///< [block]
 
   bool is_particle(std::int64_t slot) const { return mass[slot] > 0; }
+  /// Adds the force [N] that has changed the velocity of a particle by contact.
+  void add_contact_force(std::int64_t slot, int axis, double force) {
+    if (internal[axis].bytes() > 0) internal[axis][slot] += static_cast<T>(force);
+  }
   bool is_sampled() const { return sampled_force[0].bytes() > 0; }
 
   /// Present place of a point of the surface [m].

@@ -1,6 +1,7 @@
 #include "engine/undeformed/boundary_work.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/lattice/point_algebra.hpp"
 
@@ -110,8 +111,8 @@ void BoundaryWork<T, D>::end_motion(int block, const EnergyBudget& power) {
 }
 
 template <class T, int D>
-void BoundaryWork<T, D>::fold(double inertia, std::optional<double> damped) {
-  double acted_on = damped.value_or(inertia);
+void BoundaryWork<T, D>::fold(const DampedMotion& motion) {
+  double acted_on = motion.of_means;
   for (const BlockWork& work : work_) {
     add(state_.energy, work.energy);
     add(state_.power, work.power);
@@ -119,13 +120,31 @@ void BoundaryWork<T, D>::fold(double inertia, std::optional<double> damped) {
       state_.wall_impulse[w].add(work.impulse[w], 1);
       state_.wall_force[w].add(work.impulse[w], 1 / times_.kick);
     }
-    if (damped) acted_on -= work.undamped;
+    acted_on -= work.undamped;
+  }
+  if (motion.after) {
+    acted_on = std::pow((std::sqrt(motion.before) + std::sqrt(*motion.after)) / 2, 2);
   }
   const double rate = state_.clock.damping * state_.clock.mass_scaling;
-  state_.power.damping = rate * inertia;
+  state_.power.damping = rate * motion.before;
   state_.energy.damping += times_.kick * rate * acted_on;
 }
 
+template <class T, int D>
+double inertia_of(const Body<T, D>& body, std::int64_t first, std::int64_t count) {
+  double sum = 0;
+  for (std::int64_t slot = first; slot < first + count; ++slot) {
+    double square = 0;
+    for (int a = 0; a < D; ++a) square += std::pow(double{body.velocity[a][slot]}, 2);
+    sum += body.mass[slot] * square;
+  }
+  return sum;
+}
+
+template double inertia_of(const Body<double, 2>&, std::int64_t, std::int64_t);
+template double inertia_of(const Body<double, 3>&, std::int64_t, std::int64_t);
+template double inertia_of(const Body<float, 2>&, std::int64_t, std::int64_t);
+template double inertia_of(const Body<float, 3>&, std::int64_t, std::int64_t);
 template class BoundaryWork<double, 2>;
 template class BoundaryWork<double, 3>;
 template class BoundaryWork<float, 2>;

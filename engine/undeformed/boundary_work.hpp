@@ -8,6 +8,19 @@
 
 namespace pliant::undeformed {
 
+/// What the loss by damping in a step is proportional to, (TL.28) [J].
+struct DampedMotion {
+  double before = 0;  ///< sum of m u^2 before the step
+  /// Sum of m ((u + u')/2)^2, u' the velocities after the step, those of constrained particles
+  /// before BoundaryWork::hold.
+  double of_means = 0;
+  std::optional<double> after;  ///< sum of m u^2 at the end, if contact changes velocities since
+};
+
+/// Sum of m u^2 over particles in a range of slots [J].
+template <class T, int D>
+double inertia_of(const Body<T, D>& body, std::int64_t first, std::int64_t count);
+
 /// The effect of boundaries on the particles in a step. Walls hold their constrained particles.
 /// Impulses of walls and the work of walls, loads and gravity (RP.72) are summed. Work uses the
 /// mean of the velocities before and after the step, so that it is exactly the gain of kinetic
@@ -40,11 +53,8 @@ class BoundaryWork {
   /// Called at the end, with the power of loads and gravity at that time.
   void end_motion(int block, const EnergyBudget& power);
 
-  /// Adds impulses and work of the step to the state, in the order of the blocks. `inertia` is the
-  /// sum of m u^2 before the step [J]. `damped` is that of m ((u + u')/2)^2, to which the loss by
-  /// damping is proportional up to rounding, (TL.28); u' are the velocities after the step, those
-  /// of constrained particles before hold(). It is empty if contact has changed velocities since.
-  void fold(double inertia, std::optional<double> damped);
+  /// Adds impulses and work of the step to the state, in the order of the blocks.
+  void fold(const DampedMotion& motion);
 
  private:
   /// Two threads that write to one cache line wait for each other.

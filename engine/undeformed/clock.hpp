@@ -10,7 +10,6 @@ namespace pliant::undeformed {
 /// without mass scaling.
 struct Clock : StepClock {
   double mass_scaling = 1;           ///< inertia over mass in the next step
-  double damping = 0;                ///< alpha of (TL.8) and (PB.10) in the next step [1/s]
   std::int64_t next_sample = 0;      ///< step that takes the next sample of the motion, (TL.10)
   std::int64_t sample_interval = 1;  ///< steps from the sample before to that one
   double step_length = 0;            ///< of the last step that has begun [s]; 0 before the first

@@ -20,7 +20,6 @@ struct Clock : StepClock {
   double accumulated_strain = 0;  ///< of (RP.39), since the last remeshing
   double deformation = 0;         ///< max abs(F - I) of (RP.39), since the last remeshing
   double strain_rate = 0;         ///< max abs(eps)_F of (RP.29) in the last step [1/s]
-  double damping = 0;             ///< alpha of (RP.71) in the next step [1/s]
 };
 
 /// Momentum budget of a body in contact, see contact_momentum_correction.hpp.

@@ -109,7 +109,7 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
 }
 
 // Advances velocities from the middle of the step to the present time by the acceleration of that
-// step (TL.8), so that kinetic and strain energy belong to the same time.
+// step, contact included, (TL.8), so that kinetic and strain energy belong to the same time.
 template <class T, int D>
 std::vector<Point<D>> Measurer<T, D>::present_velocity(const Body<T, D>& body) const {
   const Clock& clock = state_.clock;

@@ -34,10 +34,11 @@ struct Carrier {
 template <class T, int D>
 class BodyCarriers {
  public:
-  /// `displacement` is the array to which a step writes the displacements of the body.
+  /// `displacement` is the array to which a step writes the displacements of the body, `rate` the
+  /// force in a step over the change of momentum that it causes [1/s].
   BodyCarriers(Body<T, D>& body, std::array<Buffer<T>, D>& displacement,
-               const HeldDirections<D>& held)
-      : body_(body), displacement_(displacement), held_(held) {}
+               const HeldDirections<D>& held, double rate = 0)
+      : body_(body), displacement_(displacement), held_(held), rate_(rate) {}
 
   Carrier<D> carrier(std::int32_t slot) const {
     const auto at = held_.find(slot);
@@ -48,6 +49,7 @@ class BodyCarriers {
     for (int a = 0; a < D; ++a) {
       body_.velocity[a][slot] += static_cast<T>(velocity[a]);
       displacement_[a][slot] += static_cast<T>(displacement[a]);
+      body_.add_contact_force(slot, a, rate_ * body_.mass[slot] * velocity[a]);
     }
   }
 
@@ -55,6 +57,7 @@ class BodyCarriers {
   Body<T, D>& body_;
   std::array<Buffer<T>, D>& displacement_;
   const HeldDirections<D>& held_;
+  double rate_;
 };
 
 /// Displacement [m] or velocity [m/s] of a point, from those of the particles.

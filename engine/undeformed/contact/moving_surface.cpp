@@ -251,12 +251,15 @@ void MovingSurface<T, D>::change(std::int32_t number, const Point<D>& velocity,
 }
 
 template <class T, int D>
-void MovingSurface<T, D>::write_motion() {
+void MovingSurface<T, D>::write_motion(double rate) {
   auto& displacement = body_->*moved_;
   for (const std::int32_t i : watched_carriers_) {
     const std::int32_t slot = carriers_[i].slot;
     for (int a = 0; a < D; ++a) {
-      body_->velocity[a][slot] = static_cast<T>(motion_[i].velocity[a]);
+      T& velocity = body_->velocity[a][slot];
+      const double change = motion_[i].velocity[a] - velocity;
+      velocity = static_cast<T>(motion_[i].velocity[a]);
+      body_->add_contact_force(slot, a, rate * body_->mass[slot] * change);
       displacement[a][slot] += static_cast<T>(motion_[i].shift[a]);
     }
   }

@@ -93,8 +93,9 @@ class MovingSurface {
   ContactMotion<D> motion(std::span<const Share> shares) const;
   /// Adds to the velocity [m/s] and the shift [m] of a carrier.
   void change(std::int32_t number, const Point<D>& velocity, const Point<D>& shift);
-  /// Writes velocities and shifts of the carriers of watched corners into the body.
-  void write_motion();
+  /// Writes velocities and shifts of the carriers of watched corners into the body; `rate` as
+  /// BodyCarriers has it.
+  void write_motion(double rate);
 
  private:
   void find_place(std::int32_t corner, const std::vector<Point<D>>& displacement);

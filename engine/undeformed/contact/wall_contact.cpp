@@ -76,7 +76,13 @@ void WallContact<T, D>::push_out(std::size_t s) {
       }
     }
     first = std::max(first, change);
-    if (change <= settled * first) return;
+    if (change <= settled * first) break;
+  }
+  auto given = given_.begin();
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    for (const std::int32_t corner : state_.near_walls[w].soon.corners[s]) {
+      add_friction(surface, surface.corners[corner], walls_[w], *given++);
+    }
   }
 }
 
@@ -100,7 +106,7 @@ double WallContact<T, D>::push(PushedSurface<T, D>& surface, const MovableCorner
   if (!has_met && gap >= 0) return 0;
   const Point<D> n = wall.normal(x);
   const std::span<const Share> bearing = surface.carriers_of(corner);
-  BodyCarriers<T, D> carriers(body, body.*moved_, surface.held);
+  BodyCarriers<T, D> carriers(body, body.*moved_, surface.held, met.inertia / met.kick);
   const double along = compliance<D>(carriers, bearing, n);
   if (along < least_compliance * corner.compliance) return 0;
   const Point<D> slip = difference<D>(carried<T, D>(body.velocity, bearing), velocity);
@@ -123,12 +129,10 @@ double WallContact<T, D>::push(PushedSurface<T, D>& surface, const MovableCorner
     for (double& component : given.friction) component *= most / size;
   }
   Point<D> impulse, moved, on_body;
-  double lost = 0;
   for (int a = 0; a < D; ++a) {
     const double friction = given.friction[a] - before[a];
     impulse[a] = impulse_now * n[a] + friction;
     moved[a] = moved_now * n[a] + met.drift * friction;
-    lost -= met.inertia * friction * (sliding[a] + along * friction);
     on_body[a] = met.inertia * impulse[a];
     state_.energy.wall_work += on_body[a] * velocity[a];
     state_.power.wall_work += on_body[a] / met.kick * velocity[a];
@@ -137,11 +141,24 @@ double WallContact<T, D>::push(PushedSurface<T, D>& surface, const MovableCorner
   on_wall.add(x, on_body);
   state_.wall_impulse[met.number].add(on_wall, 1);
   state_.wall_force[met.number].add(on_wall, 1 / met.kick);
-  // Loss by friction (PB.41).
-  state_.energy.friction += lost;
-  state_.power.friction += lost / met.kick;
   push_point<D>(carriers, bearing, impulse, moved);
   return along * std::max(met.length * std::sqrt(dot<D>(impulse, impulse)), std::abs(moved_now));
+}
+
+// Loss by friction (PB.41). A sweep takes back what an earlier one has pushed too far: neither
+// alone does work.
+template <class T, int D>
+void WallContact<T, D>::add_friction(const PushedSurface<T, D>& surface,
+                                     const MovableCorner& corner, const MetWall<D>& met,
+                                     const Given& given) {
+  if (given.friction == Point<D>{}) return;
+  Point<D> velocity = met.step.shift_at(surface.place(corner.number));
+  for (double& component : velocity) component /= met.length;
+  const std::span<const Share> bearing = surface.carriers_of(corner);
+  const Point<D> slip = difference<D>(carried<T, D>(surface.body->velocity, bearing), velocity);
+  const double lost = -met.inertia * dot<D>(given.friction, slip);
+  state_.energy.friction += lost;
+  state_.power.friction += lost / met.kick;
 }
 
 template class WallContact<double, 2>;

@@ -64,6 +64,9 @@ class WallContact {
   /// Returns the distance by which it moves the corner, in the step or at its end [m].
   double push(PushedSurface<T, D>& surface, const MovableCorner& corner, const MetWall<D>& met,
               Given& given);
+  /// Adds the energy that friction on a corner took in the step.
+  void add_friction(const PushedSurface<T, D>& surface, const MovableCorner& corner,
+                    const MetWall<D>& met, const Given& given);
 
   State<D>& state_;
   Displacements<T, D> moved_;

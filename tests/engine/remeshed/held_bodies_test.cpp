@@ -170,6 +170,21 @@ TEST(held_bodies, bend_under_tractions_as_they_should) {
   EXPECT_NEAR(found[1], -0.05, 2e-3 * 0.05);
 }
 
+TEST(held_bodies, meet_too_little_force_between_walls_if_they_are_thin) {
+  const std::string wall = R"toml([[boundary]]
+name = "other"
+kind = "moving_wall"
+displacement = [0, "0.1*t"]
+geometry = { shape = "half_space", point = [48, 0], normal = [-1, 0] }
+)toml";
+  const Case thin = clamped_beam(1, "", wall);
+  ASSERT_EQ(warnings_of_method(thin).size(), 1u);
+  EXPECT_NE(warnings_of_method(thin)[0].find("meet up to 8 % too little force"), std::string::npos);
+  Case thick = thin;
+  thick.discretisation.spacing = 0.5;
+  EXPECT_TRUE(warnings_of_method(thick).empty());
+}
+
 // The total Lagrangian method gives 0.1388 m with 8 particles across and 0.1390 m with 16.
 TEST(held_bodies, bend_under_their_weight_as_they_should) {
   const Case settings = clamped_beam(600, "gravity = [0, \"-0.0003*min(t/200, 1)\"]\n", "");

@@ -178,6 +178,30 @@ TEST(watch, names_the_method_for_slow_loads_of_remeshed_bodies) {
   EXPECT_EQ(said_of_a_block_squeezed_in(2, "total_lagrangian"), "");
 }
 
+// A cantilever that sinks under its weight for this time; its slowest period is 12 s.
+std::string said_of_a_cantilever_after(double time, const std::string& damping) {
+  const std::string text = fmt::format(
+      "method = \"total_lagrangian\"\ntime.end = {}\ngravity = [0, -0.2]\n"
+      "discretisation = {{ spacing = 0.2, damping = {} }}\n[[body]]\nname = \"beam\"\n"
+      "geometry = {{ shape = \"box\", lower = [0, 0], upper = [4, 0.8] }}\nmaterial = {{ model = "
+      "\"neo_hookean\", youngs_modulus = 100, poissons_ratio = 0.3, density = 1 }}\n"
+      "[[boundary]]\nname = \"clamp\"\nkind = \"fixed\"\n"
+      "geometry = {{ shape = \"half_space\", point = [0, 0], normal = [1, 0] }}\n",
+      time, damping);
+  const auto run = methods().make(tests::read_text(text), {});
+  Watch watch(run->settings());
+  watch.begin(*run);
+  run->advance(time);
+  return watch.observe(*run, true);
+}
+
+TEST(watch, tells_of_damping_that_acts_in_the_end) {
+  const std::string warning = said_of_a_cantilever_after(3, "\"adaptive\"");
+  EXPECT_NE(warning.find("in the end the bodies still move"), warning.npos) << warning;
+  EXPECT_EQ(said_of_a_cantilever_after(20, "\"adaptive\""), "");
+  EXPECT_EQ(said_of_a_cantilever_after(3, "1"), "");
+}
+
 TEST_F(Watching, ends_a_run_that_is_no_longer_credible) {
   EXPECT_THROW(seen(3), StepFailure);
   EXPECT_THROW(seen(1.2, "energy = \"stop\""), StepFailure);
