@@ -208,6 +208,13 @@ bool has_no_slip_walls(const Case& a_case) {
   return has_boundary(a_case, fixed) || has_boundary(a_case, moving_wall);
 }
 
+bool has_supported_ties(const Case& a_case) {
+  return !a_case.boundaries.empty() &&
+         std::ranges::any_of(a_case.contacts, [](const ContactCase& contact) {
+           return contact.law == ContactLaw::tied;
+         });
+}
+
 bool have_contact(const Case& a_case, std::array<int, 2> bodies) {
   return std::ranges::any_of(a_case.contacts, [&](const ContactCase& contact) {
     return std::ranges::is_permutation(bodies, contact.bodies);

@@ -20,6 +20,9 @@ bool has_boundary(const Case& a_case, BoundaryCase::Kind kind);
 /// Whether it has walls that hold bodies, at rest or moving.
 bool has_no_slip_walls(const Case& a_case);
 
+/// Whether bodies are tied that walls or loads act on, so that they hardly turn.
+bool has_supported_ties(const Case& a_case);
+
 /// Whether a [[contact]] names both bodies, in either order.
 bool have_contact(const Case& a_case, std::array<int, 2> bodies);
 

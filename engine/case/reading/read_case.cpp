@@ -11,6 +11,7 @@
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/stability.hpp"
 #include "engine/case/elastic_constants.hpp"
+#include "engine/case/placement.hpp"
 #include "engine/case/reading/settings.hpp"
 #include "engine/case/reading/table_reader.hpp"
 #include "engine/case/vocabulary/vocabulary.hpp"
@@ -90,6 +91,15 @@ void share_damping(const toml::table& root, Case& a_case) {
   a_case.rules->damping(a_case.parameters) = a_case.discretisation.damping;
 }
 
+/// Ties hold best as long as the particles beside them keep their places to each other,
+/// docs/decisions/0072.
+void spare_ties_remeshings(const toml::table& root, Case& a_case) {
+  if (!has_supported_ties(a_case) || !is_remeshed(a_case)) return;
+  const auto remeshing = root["remeshing"];
+  if (!remeshing["strain_threshold"]) a_case.remeshing.strain_threshold = 0.4;
+  if (!remeshing["deformation_threshold"]) a_case.remeshing.deformation_threshold = 1;
+}
+
 std::string default_name(const std::filesystem::path& file) {
   if (file.filename() == "case.toml") {
     // "." and ".." are not names of folders.
@@ -145,6 +155,7 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
   case_keys(reader, a_case);
   reader.finish();
   share_damping(root, a_case);
+  spare_ties_remeshings(root, a_case);
   const Place start{file.string(), 1};
   const Check check{a_case, root, start, methods, problems};
   load_meshes_of(a_case.bodies, "body", check);

@@ -36,13 +36,15 @@ void remeshing_keys(Visitor& visit, decltype(Case::remeshing)& remeshing) {
          .example = "10",
          .limits = at_least_one});
   visit("strain_threshold", remeshing.strain_threshold,
-        {.meaning = R"(strain since the last remeshing at which every = "adaptive" remeshes)",
+        {.meaning = R"(strain since the last remeshing at which every = "adaptive" remeshes; by )"
+                    "default 0.4 where walls or loads act on tied bodies",
          .example = "0.2",
          .limits = {0, 1, false, true, "above 0 and at most 1"}});
   visit(
       "deformation_threshold", remeshing.deformation_threshold,
       {.meaning = R"(deformation abs(F - I) since the last remeshing, rotation included, at which )"
-                  R"(every = "adaptive" remeshes)",
+                  R"(every = "adaptive" remeshes; by default 1 where walls or loads act on tied )"
+                  "bodies",
        .example = "0.2",
        .limits = {0, 1, false, true, "above 0 and at most 1"}});
   visit("filter", remeshing.filter,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/case/placement.hpp"
 #include "engine/remeshed/contact/relative_motion.hpp"
 #include "engine/remeshed/ghosts/lasting_correction.hpp"
 
@@ -31,11 +32,11 @@ bool moves_in_contact(const Case& settings, const State<T, D>& state,
                       const std::vector<Point<D>>& wall_offset) {
   const auto& bodies = state.bodies;
   if (!settings.contacts.empty() && !may_rest(state)) return true;
-  return std::ranges::any_of(settings.contacts,
-                             [&](const ContactCase& contact) {
-                               return have_moved_apart(bodies[contact.bodies[0]],
-                                                       bodies[contact.bodies[1]]);
-                             }) ||
+  const auto moves = [&](const ContactCase& contact) {
+    const bool keeps_places = contact.law == ContactLaw::tied && has_supported_ties(settings);
+    return !keeps_places && have_moved_apart(bodies[contact.bodies[0]], bodies[contact.bodies[1]]);
+  };
+  return std::ranges::any_of(settings.contacts, moves) ||
          std::ranges::any_of(bodies, [&](const Body<T, D>& body) {
            return has_moved_at_walls<T, D>(body, state.boundaries, wall_offset);
          });

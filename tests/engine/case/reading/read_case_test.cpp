@@ -247,5 +247,26 @@ displacement = [0, "0.1*t^2"]
   EXPECT_EQ(read_text(text, {"time.end=3"}).boundaries.at(0).time_increment, increment);
 }
 
+TEST(read_case, remeshings_are_rarer_where_walls_act_on_tied_bodies) {
+  const std::string tied = block_case + R"(
+[[body]]
+name = "other"
+geometry = { shape = "box", lower = [0, 2], upper = [1, 3] }
+material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 2 }
+[[contact]]
+bodies = ["block", "other"]
+kind = "tied"
+)";
+  const std::string wall =
+      "[[boundary]]\nname = \"floor\"\nkind = \"fixed\"\n"
+      "geometry = { shape = \"half_space\", point = [0, 0], normal = [0, 1] }\n";
+  EXPECT_EQ(read_text(tied).remeshing.strain_threshold, 0.18);
+  EXPECT_EQ(read_text(tied).remeshing.deformation_threshold, 0.2);
+  EXPECT_EQ(read_text(tied + wall).remeshing.strain_threshold, 0.4);
+  EXPECT_EQ(read_text(tied + wall).remeshing.deformation_threshold, 1);
+  const Case chosen = read_text(tied + wall, {"remeshing.deformation_threshold=0.3"});
+  EXPECT_EQ(chosen.remeshing.deformation_threshold, 0.3);
+}
+
 }  // namespace
 }  // namespace pliant
