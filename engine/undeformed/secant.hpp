@@ -22,13 +22,13 @@ struct Secant {
 };
 
 /// Steps until the next sample after one that has found the frequency `omega` [1/s], `last` steps
-/// after that before, (TL.10). Where a growing load ends, a body begins to vibrate whose motion has
-/// had no frequency until then.
+/// after that before, (TL.10). A sample takes almost as long as a step. Where a growing load ends,
+/// a body begins to vibrate whose motion has had no frequency until then.
 inline std::int64_t steps_until_sample(double omega, double time_step, std::int64_t last) {
-  constexpr double radians = 0.02;
-  constexpr std::int64_t most = 32;
+  constexpr double radians = 0.05;
+  constexpr std::int64_t least = 4, most = 32;
   const double steps = radians / std::max(omega * time_step, radians / most);
-  return std::clamp(static_cast<std::int64_t>(steps), std::int64_t{1}, std::min(2 * last, most));
+  return std::clamp(static_cast<std::int64_t>(steps), least, std::clamp(2 * last, least, most));
 }
 
 }  // namespace pliant::undeformed
