@@ -248,12 +248,6 @@ void Step<T, D>::move(int block) {
 }
 
 template <class T, int D>
-undeformed::Kick<T> Step<T, D>::kick() const {
-  const double half = state_.clock.damping * advance_.length / 2;
-  return {static_cast<T>((1 - half) / (1 + half)), static_cast<T>(advance_.length / (1 + half))};
-}
-
-template <class T, int D>
 void Step<T, D>::end_motion(int block) {
   const auto [body, local] = owner(block);
   if (advance_.samples) sampler_.end(block, body, kick());

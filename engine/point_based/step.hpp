@@ -63,7 +63,7 @@ class Step {
   bool has_punctures() const;
   void press_surfaces();
   void meet_walls();
-  undeformed::Kick<T> kick() const;
+  undeformed::Kick<T> kick() const { return {state_.clock.damping, advance_.length}; }
   /// Power of loads and gravity on a block at the present velocities [W].
   EnergyBudget power(int block) const;
 

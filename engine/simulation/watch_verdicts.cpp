@@ -173,16 +173,15 @@ std::string Watch::judge_slow_load(const Solver& solver) const {
 // Adaptive damping is to bring bodies to rest. While they move, walls and loads work against it.
 std::string Watch::judge_damping(const Solver& solver) const {
   const StepClock& clock = solver.clock();
-  if (!is_damped_adaptively(settings_) || is_known_ == 0 || !(scale_ > rounding_energy()))
-    return "";
+  const bool is_to_rest = is_damped_adaptively(settings_) && is_known_ != 0;
+  if (!is_to_rest || !(scale_ > rounding_energy())) return "";
   const double at_end = 2 * clock.damping * present_.kinetic_energy;
   const double share = std::min(at_end, damping_power_) * clock.time / scale_;
   if (!(share > tolerated)) return "";
   return fmt::format(
       "warning: in the end the bodies still move, and damping takes a share of {:.2g} of the "
-      "forces "
-      "on them; hold the load until they are at rest (time.end), or load more slowly (or set "
-      "checks.energy)",
+      "forces on them; hold the load until they are at rest (time.end), or load more slowly (or "
+      "set checks.energy)",
       share);
 }
 

@@ -239,13 +239,6 @@ void Step<T, D>::set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) co
 }
 
 template <class T, int D>
-undeformed::Kick<T> Step<T, D>::kick() const {
-  const double half = state_.clock.damping * advance_.kick() / 2;
-  return {static_cast<T>((1 - half) / (1 + half)),
-          static_cast<T>(advance_.kick() / ((1 + half) * state_.clock.mass_scaling))};
-}
-
-template <class T, int D>
 void Step<T, D>::move(int block) {
   const auto [body, local] = owner(block);
   const Block<D>& range = body.layout.blocks()[local];

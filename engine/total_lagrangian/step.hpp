@@ -61,7 +61,9 @@ class Step {
   void move(int block);
   /// Called when velocities are final.
   void end_motion(int block);
-  undeformed::Kick<T> kick() const;
+  undeformed::Kick<T> kick() const {
+    return {state_.clock.damping, advance_.kick(), state_.clock.mass_scaling};
+  }
 
   struct Owned {
     Body<T, D>& body;

@@ -12,6 +12,11 @@ namespace pliant::undeformed {
 /// kept v + gained f/m.
 template <class T>
 struct Kick {
+  /// With the rate `damping` [1/s] and forces that act for `duration` [s], (TL.8), (PB.10).
+  Kick(double damping, double duration, double mass_scaling = 1)
+      : kept(static_cast<T>((1 - damping * duration / 2) / (1 + damping * duration / 2))),
+        gained(static_cast<T>(duration / ((1 + damping * duration / 2) * mass_scaling))) {}
+
   T kept;    ///< of the velocity, the rest is damped
   T gained;  ///< [s]
 };

@@ -98,8 +98,7 @@ void output_keys(Visitor& visit, decltype(Case::output)& output) {
         {.meaning =
              "time between two samples of the measurements; 0 takes one at every remeshing and "
              "at the end, or a hundred in a run (eight or more steps apart) if measurements depend "
-             "on "
-             "samples (forces, moments and those of histories)",
+             "on samples (forces, moments and those of histories)",
          .unit = "s",
          .example = "0.001",
          .limits = not_negative});
