@@ -175,7 +175,8 @@ constexpr double error_of_slender_bodies = 0.0115;
 
 // Measured for L-shaped bodies, docs/decisions/0069.
 constexpr std::string_view error_at_reentrant_corners =
-    "loads bend it there up to 15 % too far, and vibrations gain or lose energy there";
+    "loads bend it there up to 15 % too far, large ones also up to 25 % too little, and vibrations "
+    "gain or lose energy there";
 
 void warn_of_thin_walls(const Case& a_case, std::vector<std::string>& warnings) {
   for (const BoundaryCase& boundary : a_case.boundaries) {
