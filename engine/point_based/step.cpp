@@ -1,7 +1,6 @@
 #include "engine/point_based/step.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/point_based/block_arguments.hpp"
@@ -55,7 +54,6 @@ template <class T, int D>
 void Step<T, D>::prepare_blocks() {
   results_.assign(state_.blocks.size(), {});
   sampler_.prepare_blocks(state_.blocks.size());
-  inertia_.assign(state_.blocks.size(), 0);
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
   body_contact_.take_surfaces(state_.bodies);
@@ -138,7 +136,7 @@ bool Step<T, D>::has_punctures() const {
 
 template <class T, int D>
 void Step<T, D>::press_surfaces() {
-  const double inertia = 1 + state_.clock.damping * advance_.length / 2;
+  const double inertia = state_.clock.inertia(advance_.length);
   for (std::size_t b = 0; b < state_.cuts.size(); ++b) {
     if (!state_.cuts[b]) continue;
     const double power = state_.cuts[b]->press_surface(
@@ -176,14 +174,14 @@ template <class T, int D>
 StepResult Step<T, D>::fold() {
   if (!contact_.is_expected()) meet_walls();
   StepResult result;
-  undeformed::DampedMotion motion;
+  double inertia = 0, damped = 0;
   for (std::size_t b = 0; b < results_.size() && result.non_finite < 0; ++b) {
     result.non_finite = results_[b].forces.non_finite;
     result.failed_block = static_cast<int>(b);
     result.frequency2 = std::max(result.frequency2, results_[b].forces.frequency2);
-    motion.before += results_[b].motion.inertia;
+    inertia += results_[b].motion.inertia;
     // Nodes whose velocities change sign from step to step lose little, (TL.28).
-    motion.of_means += results_[b].motion.inertia_of_means;
+    damped += results_[b].motion.inertia_of_means;
   }
   if (advance_.samples) result.secant = sampler_.secant();
   for (const auto& of_body : state_.cuts) {
@@ -193,8 +191,7 @@ StepResult Step<T, D>::fold() {
     for (int a = 0; a < D; ++a) blade.impulse[a] += advance_.length * blade.force[a];
     blade.work += advance_.length * blade.power;
   }
-  if (bodies_touch()) motion.after = std::accumulate(inertia_.begin(), inertia_.end(), 0.);
-  work_.fold(motion);
+  work_.fold(inertia, damped);
   result.overlap = body_contact_.deepest();
   return result;
 }
@@ -251,10 +248,8 @@ template <class T, int D>
 void Step<T, D>::end_motion(int block) {
   const auto [body, local] = owner(block);
   if (advance_.samples) sampler_.end(block, body, kick());
-  if (bodies_touch() && state_.clock.damping != 0) {
-    const NodeBlock& range = body.blocks[local];
-    inertia_[block] = undeformed::inertia_of(body, range.first, range.nodes);
-  }
+  const NodeBlock& range = body.blocks[local];
+  if (bodies_touch()) work_.after_contact(block, body, range.first, range.nodes);
   work_.end_motion(block, power(block));
 }
 

@@ -63,7 +63,7 @@ class Step {
   bool has_punctures() const;
   void press_surfaces();
   void meet_walls();
-  undeformed::Kick<T> kick() const { return {state_.clock.damping, advance_.length}; }
+  undeformed::Kick<T> kick() const { return {state_.clock, advance_.length}; }
   /// Power of loads and gravity on a block at the present velocities [W].
   EnergyBudget power(int block) const;
 
@@ -95,7 +95,6 @@ class Step {
   undeformed::BodyContact<T, D> body_contact_;
   std::vector<BlockResult> results_;  ///< [block]
   undeformed::MotionSampler<T, D> sampler_;
-  std::vector<double> inertia_;  ///< [block] sum of m u^2 after contact, with damping [J]
 };
 
 extern template class Step<double, 2>;

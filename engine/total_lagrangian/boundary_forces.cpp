@@ -171,6 +171,13 @@ void BoundaryForces<T, D>::hold(int block) {
 }
 
 template <class T, int D>
+void BoundaryForces<T, D>::after_contact(int block) {
+  const auto [body, local] = owner(block);
+  const Block<D>& range = body.layout.blocks()[local];
+  work_.after_contact(block, body, range.first_slot, range.slot_count);
+}
+
+template <class T, int D>
 void BoundaryForces<T, D>::end_motion(int block) {
   work_.end_motion(block, power_of(block));
 }

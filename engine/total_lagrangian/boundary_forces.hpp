@@ -31,13 +31,13 @@ class BoundaryForces {
   void begin_motion(int block);
   /// Called after that: constrained particles follow their walls.
   void hold(int block);
+  /// Called if contact has changed velocities since.
+  void after_contact(int block);
   /// Called when velocities are final: adds the work of loads and gravity.
   void end_motion(int block);
 
-  /// Adds impulses and work of the step to the state, in the order of the blocks. `inertia` is the
-  /// sum of m u^2 before the step; `damped` is that of the mean velocities in it [J], unless
-  /// contact changes these.
-  void fold(const undeformed::DampedMotion& motion) { work_.fold(motion); }
+  /// Adds impulses and work of the step to the state, as undeformed::BoundaryWork does.
+  void fold(double inertia, double damped) { work_.fold(inertia, damped); }
 
  private:
   struct Owned {

@@ -1,7 +1,6 @@
 #include "engine/total_lagrangian/step.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/phase_rows.hpp"
@@ -51,7 +50,6 @@ template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
   results_.assign(state_.blocks.size(), {});
   sampler_.prepare_blocks(state_.blocks.size());
-  inertia_.assign(state_.blocks.size(), 0);
   boundary_forces_.prepare_blocks();
   body_contact_.take_surfaces(state_.bodies);
   contact_.take_surfaces(state_.bodies, undeformed::ImpulseCarriers::all);
@@ -134,19 +132,18 @@ StepResult Step<T, D>::fold() {
   if (!contact_.is_expected()) meet_walls();
   for (Body<T, D>& body : state_.bodies) body.take_next();
   StepResult result;
-  undeformed::DampedMotion motion;
+  double inertia = 0, damped = 0;
   for (std::size_t b = 0; b < results_.size(); ++b) {
     result.wave_speed = std::max(result.wave_speed, results_[b].wave_speed);
-    motion.before += results_[b].inertia;
-    motion.of_means += results_[b].damped;
+    inertia += results_[b].inertia;
+    damped += results_[b].damped;
     if (results_[b].non_finite >= 0 && result.non_finite < 0) {
       result.non_finite = results_[b].non_finite;
       result.failed_block = static_cast<int>(b);
     }
   }
   if (advance_.samples) result.secant = sampler_.secant();
-  if (bodies_touch()) motion.after = std::accumulate(inertia_.begin(), inertia_.end(), 0.);
-  boundary_forces_.fold(motion);
+  boundary_forces_.fold(inertia, damped);
   result.overlap = body_contact_.deepest();
   return result;
 }
@@ -260,12 +257,8 @@ void Step<T, D>::move(int block) {
 
 template <class T, int D>
 void Step<T, D>::end_motion(int block) {
-  const auto [body, local] = owner(block);
-  if (advance_.samples) sampler_.end(block, body, kick());
-  if (bodies_touch() && state_.clock.damping != 0) {
-    const Block<D>& range = body.layout.blocks()[local];
-    inertia_[block] = undeformed::inertia_of(body, range.first_slot, range.slot_count);
-  }
+  if (advance_.samples) sampler_.end(block, owner(block).body, kick());
+  if (bodies_touch()) boundary_forces_.after_contact(block);
   boundary_forces_.end_motion(block);
 }
 

@@ -61,9 +61,7 @@ class Step {
   void move(int block);
   /// Called when velocities are final.
   void end_motion(int block);
-  undeformed::Kick<T> kick() const {
-    return {state_.clock.damping, advance_.kick(), state_.clock.mass_scaling};
-  }
+  undeformed::Kick<T> kick() const { return {state_.clock, advance_.kick()}; }
 
   struct Owned {
     Body<T, D>& body;
@@ -86,7 +84,6 @@ class Step {
   std::vector<std::array<Buffer<T>, D>> force_;  ///< [worker], for one block at a time [N]
   std::vector<kernels::MotionResult> results_;   ///< [block]
   undeformed::MotionSampler<T, D> sampler_;
-  std::vector<double> inertia_;  ///< [block] sum of m u^2 after contact, with damping [J]
 };
 
 extern template class Step<double, 2>;

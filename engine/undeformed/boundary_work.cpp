@@ -58,6 +58,7 @@ void BoundaryWork<T, D>::begin_motion(int block, const Body<T, D>& body, int loc
   BlockWork& work = work_[block];
   work.energy = work.power = {};
   work.undamped = 0;
+  work.inertia.reset();
   std::fill(work.impulse.begin(), work.impulse.end(), Wrench<D>{});
   add(work.energy, power, times_.kick / 2);
   const auto& held = body.held[local];
@@ -74,7 +75,7 @@ template <class T, int D>
 void BoundaryWork<T, D>::hold(int block, Body<T, D>& body, int local,
                               std::array<Buffer<T>, D>& displacement) {
   BlockWork& work = work_[block];
-  const double inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * times_.kick / 2);
+  const double inertia = state_.clock.inertia(times_.kick);
   const auto& particles = body.held[local];
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const ConstrainedParticle<D>& held = particles[i];
@@ -111,8 +112,9 @@ void BoundaryWork<T, D>::end_motion(int block, const EnergyBudget& power) {
 }
 
 template <class T, int D>
-void BoundaryWork<T, D>::fold(const DampedMotion& motion) {
-  double acted_on = motion.of_means;
+void BoundaryWork<T, D>::fold(double inertia, double damped) {
+  double acted_on = damped, after_contact = 0;
+  bool touches = false;
   for (const BlockWork& work : work_) {
     add(state_.energy, work.energy);
     add(state_.power, work.power);
@@ -121,30 +123,28 @@ void BoundaryWork<T, D>::fold(const DampedMotion& motion) {
       state_.wall_force[w].add(work.impulse[w], 1 / times_.kick);
     }
     acted_on -= work.undamped;
+    touches = touches || work.inertia;
+    after_contact += work.inertia.value_or(0);
   }
-  if (motion.after) {
-    acted_on = std::pow((std::sqrt(motion.before) + std::sqrt(*motion.after)) / 2, 2);
-  }
+  if (touches) acted_on = std::pow((std::sqrt(inertia) + std::sqrt(after_contact)) / 2, 2);
   const double rate = state_.clock.damping * state_.clock.mass_scaling;
-  state_.power.damping = rate * motion.before;
+  state_.power.damping = rate * inertia;
   state_.energy.damping += times_.kick * rate * acted_on;
 }
 
 template <class T, int D>
-double inertia_of(const Body<T, D>& body, std::int64_t first, std::int64_t count) {
+void BoundaryWork<T, D>::after_contact(int block, const Body<T, D>& body, std::int64_t first,
+                                       std::int64_t count) {
+  if (state_.clock.damping == 0) return;
   double sum = 0;
   for (std::int64_t slot = first; slot < first + count; ++slot) {
     double square = 0;
     for (int a = 0; a < D; ++a) square += std::pow(double{body.velocity[a][slot]}, 2);
     sum += body.mass[slot] * square;
   }
-  return sum;
+  work_[block].inertia = sum;
 }
 
-template double inertia_of(const Body<double, 2>&, std::int64_t, std::int64_t);
-template double inertia_of(const Body<double, 3>&, std::int64_t, std::int64_t);
-template double inertia_of(const Body<float, 2>&, std::int64_t, std::int64_t);
-template double inertia_of(const Body<float, 3>&, std::int64_t, std::int64_t);
 template class BoundaryWork<double, 2>;
 template class BoundaryWork<double, 3>;
 template class BoundaryWork<float, 2>;

@@ -8,19 +8,6 @@
 
 namespace pliant::undeformed {
 
-/// What the loss by damping in a step is proportional to, (TL.28) [J].
-struct DampedMotion {
-  double before = 0;  ///< sum of m u^2 before the step
-  /// Sum of m ((u + u')/2)^2, u' the velocities after the step, those of constrained particles
-  /// before BoundaryWork::hold.
-  double of_means = 0;
-  std::optional<double> after;  ///< sum of m u^2 at the end, if contact changes velocities since
-};
-
-/// Sum of m u^2 over particles in a range of slots [J].
-template <class T, int D>
-double inertia_of(const Body<T, D>& body, std::int64_t first, std::int64_t count);
-
 /// The effect of boundaries on the particles in a step. Walls hold their constrained particles.
 /// Impulses of walls and the work of walls, loads and gravity (RP.72) are summed. Work uses the
 /// mean of the velocities before and after the step, so that it is exactly the gain of kinetic
@@ -50,17 +37,23 @@ class BoundaryWork {
   void hold(int block, Body<T, D>& body, int local) { hold(block, body, local, body.displacement); }
   /// The same with displacements that are not those of the body yet.
   void hold(int block, Body<T, D>& body, int local, std::array<Buffer<T>, D>& displacement);
+  /// Called after that if contact has changed velocities since, with the slots of the block.
+  void after_contact(int block, const Body<T, D>& body, std::int64_t first, std::int64_t count);
   /// Called at the end, with the power of loads and gravity at that time.
   void end_motion(int block, const EnergyBudget& power);
 
-  /// Adds impulses and work of the step to the state, in the order of the blocks.
-  void fold(const DampedMotion& motion);
+  /// Adds impulses and work of the step to the state, in the order of the blocks. `inertia` is the
+  /// sum of m u^2 before the step [J]. `damped` is that of m ((u + u')/2)^2, to which the loss by
+  /// damping is proportional up to rounding without contact, (TL.28); u' are the velocities after
+  /// the step, those of constrained particles before hold().
+  void fold(double inertia, double damped);
 
  private:
   /// Two threads that write to one cache line wait for each other.
   struct alignas(64) BlockWork {
     EnergyBudget energy;             ///< of the step [J]
     EnergyBudget power;              ///< at the velocities after the step [W]
+    std::optional<double> inertia;   ///< sum of m u^2 after contact [J]
     double undamped = 0;             ///< part of m ((u + u')/2)^2 that hold() removes [J]
     std::vector<Wrench<D>> impulse;  ///< [wall] on the block [N s], [N m s]
     std::vector<Point<D>> before;    ///< [constrained particle] velocity before the step [m/s]

@@ -18,6 +18,9 @@ struct Clock : StepClock {
 
   /// Rest of that step after an output time inside it [s]; 0 if it has ended.
   double rest() const { return step_end - time > rounding() ? step_end - time : 0; }
+  /// An impulse that acts for `duration` [s] over the change of momentum that it causes without
+  /// mass scaling, (TL.8).
+  double inertia(double duration) const { return mass_scaling * (1 + damping * duration / 2); }
   /// Time from that of the velocities to `time` [s].
   double lag() const { return time - velocity_time; }
   /// Times closer to each other than this count as equal [s].

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/undeformed/body.hpp"
+#include "engine/undeformed/clock.hpp"
 #include "engine/undeformed/secant.hpp"
 
 namespace pliant::undeformed {
@@ -12,10 +13,11 @@ namespace pliant::undeformed {
 /// kept v + gained f/m.
 template <class T>
 struct Kick {
-  /// With the rate `damping` [1/s] and forces that act for `duration` [s], (TL.8), (PB.10).
-  Kick(double damping, double duration, double mass_scaling = 1)
-      : kept(static_cast<T>((1 - damping * duration / 2) / (1 + damping * duration / 2))),
-        gained(static_cast<T>(duration / ((1 + damping * duration / 2) * mass_scaling))) {}
+  /// By forces that act for `duration` [s], (TL.8), (PB.10).
+  Kick(const Clock& clock, double duration)
+      : kept(static_cast<T>((1 - clock.damping * duration / 2) /
+                            (1 + clock.damping * duration / 2))),
+        gained(static_cast<T>(duration / clock.inertia(duration))) {}
 
   T kept;    ///< of the velocity, the rest is damped
   T gained;  ///< [s]

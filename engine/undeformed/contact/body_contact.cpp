@@ -203,17 +203,13 @@ void BodyContact<T, D>::sweep() {
     if (sweep + 1 >= few_sweeps && change <= settled * first) break;
   }
   add_totals();
-  for (const auto& surface : surfaces_) surface->write_motion(inertia() / times_.kick);
-}
-
-template <class T, int D>
-double BodyContact<T, D>::inertia() const {
-  return state_.clock.mass_scaling * (1 + state_.clock.damping * times_.kick / 2);
+  const double rate = state_.clock.inertia(times_.kick) / times_.kick;
+  for (const auto& surface : surfaces_) surface->write_motion(rate);
 }
 
 template <class T, int D>
 void BodyContact<T, D>::add_totals() {
-  const double inertia = this->inertia();
+  const double inertia = state_.clock.inertia(times_.kick);
   for (const TiedSurfaces<T, D>& ties : ties_) {
     Point<D> on_first = ties.impulse();
     for (double& component : on_first) component *= inertia;

@@ -84,8 +84,6 @@ class BodyContact {
   void search(int block);
   void sweep();
   void add_totals();
-  /// Impulses over those without mass scaling and damping.
-  double inertia() const;
   void add_force(int contact, const Point<D>& impulse);
 
   State<D>& state_;

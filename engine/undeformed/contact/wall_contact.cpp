@@ -45,7 +45,7 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     MetWall<D>& wall = walls_[w];
     wall.step = state_.boundaries.walls[wall.number].step(time, length);
-    wall.inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick / 2);
+    wall.inertia = state_.clock.inertia(kick);
     wall.kick = kick;
     wall.length = length;
     wall.drift = drift;

@@ -152,6 +152,15 @@ TEST_F(Watching, sees_no_energy_created_in_a_run_of_a_step) {
   }
 }
 
+// What the watch says of a case that has run until this time.
+std::string said_after(double time, const std::string& text) {
+  const auto run = methods().make(tests::read_text(text), {});
+  Watch watch(run->settings());
+  watch.begin(*run);
+  run->advance(time);
+  return watch.observe(*run, true);
+}
+
 // A block squeezed by a fifth in this time between slip walls, which the waves cross in 0.1 s.
 std::string said_of_a_block_squeezed_in(double time, const std::string& method) {
   const std::string text = fmt::format(
@@ -163,11 +172,7 @@ std::string said_of_a_block_squeezed_in(double time, const std::string& method) 
       "[[boundary]]\nname = \"plate\"\nkind = \"slip_wall\"\ndisplacement = [0, \"-0.2*t/{2}\"]\n"
       "geometry = {{ shape = \"half_space\", point = [0, 1], normal = [0, -1] }}\n",
       method, "dimension = 2\ndiscretisation = { spacing = 0.125 }\n", time);
-  const auto run = methods().make(tests::read_text(text), {});
-  Watch watch(run->settings());
-  watch.begin(*run);
-  run->advance(time);
-  return watch.observe(*run, true);
+  return said_after(time, text);
 }
 
 TEST(watch, names_the_method_for_slow_loads_of_remeshed_bodies) {
@@ -188,11 +193,7 @@ std::string said_of_a_cantilever_after(double time, const std::string& damping) 
       "[[boundary]]\nname = \"clamp\"\nkind = \"fixed\"\n"
       "geometry = {{ shape = \"half_space\", point = [0, 0], normal = [1, 0] }}\n",
       time, damping);
-  const auto run = methods().make(tests::read_text(text), {});
-  Watch watch(run->settings());
-  watch.begin(*run);
-  run->advance(time);
-  return watch.observe(*run, true);
+  return said_after(time, text);
 }
 
 TEST(watch, tells_of_damping_that_acts_in_the_end) {
