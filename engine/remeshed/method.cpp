@@ -162,9 +162,9 @@ constexpr ThinBodyError errors_of_thin_bodies[] = {
     {6.5, "figures deviate by 2 to 30 %"},
     {8, "oscillations and collisions deviate by up to 20 %"}};
 
-// Measured for blocks and cantilevers, docs/decisions/0065.
+// Measured for blocks and cantilevers, docs/decisions/0077.
 constexpr ThinBodyError error_under_tractions = {
-    11, "faces under tractions move up to 10 % too little"};
+    11, "faces under tractions move up to 8 % too far, their edges up to 20 % too little"};
 
 // Measured for blocks and bars between two walls, docs/decisions/0031.
 constexpr ThinBodyError error_between_walls = {
@@ -172,6 +172,9 @@ constexpr ThinBodyError error_between_walls = {
 
 // Measured for cantilevers, docs/decisions/0068.
 constexpr double error_of_slender_bodies = 0.0115;
+
+// Measured for discs and balls that are held at their core, docs/decisions/0031.
+constexpr RoundWallError error_at_round_walls = {.cylinder = 6, .ball = 13};
 
 // Measured for L-shaped bodies, docs/decisions/0069.
 constexpr std::string_view error_at_reentrant_corners =
@@ -198,6 +201,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_reentrant_corners(a_case, error_at_reentrant_corners, warnings);
   warn_of_resting_bodies(a_case, warnings);
   warn_of_inclined_ties(a_case, warnings);
+  warn_of_round_walls(a_case, error_at_round_walls, warnings);
   warn_of_thin_walls(a_case, warnings);
 }
 

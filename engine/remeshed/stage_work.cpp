@@ -7,6 +7,7 @@
 #include "engine/remeshed/ghosts/surface_records.hpp"
 #include "engine/remeshed/loads/loaded_surface.hpp"
 #include "engine/remeshed/loads/shear_patches.hpp"
+#include "engine/remeshed/loads/shear_stress.hpp"
 #include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 #include "engine/remeshed/setup/images.hpp"
@@ -136,6 +137,18 @@ template <class T, int D>
 void StageWork<T, D>::evaluate_shear_forces(int block, int stage) {
   const auto [body, local] = state_.owner(block);
   evaluate_shear(body, local, stage, boundary_values_[stage]);
+}
+
+template <class T, int D>
+void StageWork<T, D>::take_shear_stresses(int block, int stage) {
+  const auto [body, local] = state_.owner(block);
+  take_shear_stress(body, local, stage);
+}
+
+template <class T, int D>
+void StageWork<T, D>::give_back_shear_stresses(int block) {
+  const auto [body, local] = state_.owner(block);
+  give_back_shear_stress(body, local);
 }
 
 template <class T, int D>

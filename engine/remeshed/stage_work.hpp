@@ -41,6 +41,8 @@ class StageWork {
   void fill_reached_ghosts(int block, int stage);
   void fill_all_ghosts(int block, int stage);
   void evaluate_shear_forces(int block, int stage);
+  void take_shear_stresses(int block, int stage);
+  void give_back_shear_stresses(int block);
   void advance(int block, int stage);
   void evaluate_stress(int block) { results_[block] = particles_.evaluate_stress(block); }
 

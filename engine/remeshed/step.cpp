@@ -11,6 +11,8 @@
 // Each of the four stages of the Runge-Kutta method (RP.21) takes a `current` copy of the state
 // (Q0, Q2, Q3, and Q4, which uses the memory of Q2) to the `next` one:
 //
+//     shear             tractions: forces on the particles behind loaded facets, (RP.107)
+//     shear stress      the stress that balances these forces, (RP.112)
 //     image positions   periodic bodies: drift of the slots beyond a period
 //     surface           first stage: grad phi of the particles near the surface (RP.61);
 //                       all stages: their u, sigma and p; all of it goes to the surface records
@@ -28,7 +30,6 @@
 //                       values at the edge, (RP.81). Ghosts of free surfaces move with their fits
 //                       (RP.60)
 //     images            periodic bodies: velocity and stress of the slots beyond a period
-//     shear             tractions: forces on the particles behind loaded facets, (RP.107)
 //     advance           grad u and div sigma of every particle by the moment matrix (RP.20), or
 //                       as in the paper (RP.19); its rates (RP.13), the next state and its stress
 //                       (RP.3)-(RP.9)
@@ -71,8 +72,8 @@ std::vector<Phase> Step<T, D>::phases() {
   work_.prepare_blocks();
   std::vector<Phase> phases;
   for (int stage = 0; stage < 4; ++stage) {
-    add_ghosts(phases, stage, false);
     add_shear(phases, stage);
+    add_ghosts(phases, stage, false);
     add_advance(phases, stage);
   }
   if (momentum_.is_needed()) {
@@ -86,7 +87,13 @@ std::vector<Phase> Step<T, D>::phases() {
 template <class T, int D>
 std::vector<Phase> Step<T, D>::ghost_phases() {
   std::vector<Phase> phases;
+  add_shear(phases, 0);
   add_ghosts(phases, 0, true);
+  if (state_.boundaries.have_tractions()) {
+    PhaseRows(phases).each("whole stress", own(whole(shear_shares)) + near(whole(loaded_facets)),
+                           own(particles(stress)),
+                           [this](int block) { work_.give_back_shear_stresses(block); });
+  }
   return phases;
 }
 
@@ -138,11 +145,16 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, bool all_of_t
 
 template <class T, int D>
 void Step<T, D>::add_shear(std::vector<Phase>& phases, int stage) {
+  using Work = StageWork<T, D>;
   if (!state_.boundaries.have_tractions()) return;
   const int buffer = drift_buffer_of(stage);
-  PhaseRows(phases).at_stage(stage).each(
-      "shear", near(particles(drift, buffer) + ghosts(drift, buffer)) + own(whole(loaded_facets)),
-      own(whole(shear_forces)), at(stage, &StageWork<T, D>::evaluate_shear_forces));
+  PhaseRows rows = PhaseRows(phases).at_stage(stage);
+  rows.each("shear",
+            near(particles(drift, buffer) + ghosts(drift, buffer)) + own(whole(loaded_facets)),
+            own(whole(shear_forces)), at(stage, &Work::evaluate_shear_forces));
+  const Accesses stresses = own(particles(stress, stage % 2) + whole(shear_shares));
+  rows.each("shear stress", stresses + near(whole(loaded_facets) + whole(shear_forces)), stresses,
+            at(stage, &Work::take_shear_stresses));
 }
 
 template <class T, int D>

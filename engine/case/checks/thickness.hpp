@@ -39,6 +39,17 @@ void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> 
 /// (L h/t^2)^2 if its length is L and its thickness t.
 void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::string>& warnings);
 
+/// Errors of bodies that round walls hold, over (h/R)^2, R the radius of the wall.
+struct RoundWallError {
+  double cylinder;  ///< also a disc in 2D
+  double ball;
+};
+
+/// Adds a warning for each no-slip wall whose smallest radius is so small that the deviation is
+/// above 4 %.
+void warn_of_round_walls(const Case& a_case, const RoundWallError& error,
+                         std::vector<std::string>& warnings);
+
 /// Adds a warning for each body whose free surface has a re-entrant corner; `deviation` says what
 /// is wrong there. Bodies from meshes are left out.
 void warn_of_reentrant_corners(const Case& a_case, std::string_view deviation,

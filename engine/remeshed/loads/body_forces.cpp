@@ -112,24 +112,19 @@ template <class T, int D>
 void BodyForces<T, D>::apply_shear(int block, int stage) {
   const auto owner = state_.owner(block);
   Body<T, D>& body = owner.body;
-  const FieldStore<T, D>& current = body.stage[buffer_of(stage)];
   FieldStore<T, D>& next = body.stage[buffer_after(stage)];
   const T* mass = body.stage[0].get(Field::mass);
   const double share_of_step = share_of_rate[stage] * time_step_;
-  const double duration = stage_weight[stage] * time_step_;
-  double power = 0;
   for (const auto& index : body.shear[owner.block].own) {
     const BlockShear<D>& from = body.shear[index.block];
     const ShearShare<D>& share = from.shares[index.share];
     const ShearPatch<D>& patch = from.patches[share.patch];
     const Point<D> force = shear_force(patch, share);
     for (int a = 0; a < D; ++a) {
-      power += patch.represented * force[a] * current.get(Field::velocity, a)[share.slot];
       next.get(Field::velocity, a)[share.slot] +=
           static_cast<T>(share_of_step * force[a] / mass[share.slot]);
     }
   }
-  of_block_[block].load_work += duration * power;
 }
 
 template <class T, int D>

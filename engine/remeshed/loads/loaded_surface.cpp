@@ -164,8 +164,9 @@ LoadsOnBlock<D> loads_on_block(const Body<T, D>& body, int block, int stage,
       velocity += between<T, D>(state, Field::velocity, corner) / D;
     }
     const FacetForce<D> force = force_at_stage(body, facet, stage, values);
-    for (int a = 0; a < D; ++a) loads.force[a] += force.normal[a] + force.shear[a];
-    loads.power += force.normal.dot(velocity);
+    const PlaceVector<D> whole = force.normal + force.shear;
+    for (int a = 0; a < D; ++a) loads.force[a] += whole[a];
+    loads.power += whole.dot(velocity);
   }
   return loads;
 }

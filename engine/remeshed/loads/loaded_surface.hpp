@@ -35,7 +35,7 @@ FacetForce<D> force_at_stage(const Body<T, D>& body, const LoadedFacet<D>& facet
 template <int D>
 struct LoadsOnBlock {
   Point<D> force = {};  ///< [N, in 2D N/m]
-  double power = 0;     ///< of the parts along the normals [W, in 2D W/m]
+  double power = 0;     ///< [W, in 2D W/m]
 };
 template <class T, int D>
 LoadsOnBlock<D> loads_on_block(const Body<T, D>& body, int block, int stage,

@@ -13,7 +13,7 @@ namespace pliant::remeshed {
 namespace {
 
 constexpr double full_depth = 2.5;    // [h] down to which a particle has the whole weight
-constexpr double depth = 3.5;         // [h] where the weight ends
+constexpr double depth = 4.5;         // [h] where the weight ends
 constexpr double radius = 3;          // [h] along the surface
 constexpr double least_spread = 0.1;  // [h^2] of places along the surface that bear a moment
 
@@ -62,7 +62,7 @@ std::array<Point<D>, D> axes_of(const PlaceVector<D>& normal) {
 /// Moments of what is behind a patch, with the weights of (RP.107).
 template <int D>
 struct Behind {
-  double material = 0, of_particles = 0;
+  double material = 0;
   PlaceVector<D> first = PlaceVector<D>::Zero();
   Square<D> second = Square<D>::Zero();
 };
@@ -95,13 +95,12 @@ class ShareFinder {
     if (!find_centre(patch, centre)) return;
     const std::size_t first = shear_.shares.size();
     const Behind<D> behind = look_behind(patch, centre);
-    if (behind.of_particles == 0 || behind.material == 0) {
+    if (shear_.shares.size() == first || behind.material == 0) {
       shear_.shares.resize(first);
       return;
     }
     const PlaceVector<D> mean = behind.first / behind.material;
     patch.material = behind.material;
-    patch.represented = behind.material / behind.of_particles;
     patch.lever = as_point<D>(mean - centre);
     find_balance(behind.second / behind.material - mean * mean.transpose(), patch);
     for (std::size_t s = first; s < shear_.shares.size(); ++s) {
@@ -159,22 +158,30 @@ class ShareFinder {
     const auto number = static_cast<std::int32_t>(&patch - shear_.patches.data());
     for_each_cell<D>(lower, upper, [&](const Cell<D>& cell) {
       const Point<D> place = view_.body.lattice.node(cell);
-      const double weight = weight_at((column<D>(place) - centre) / spacing_, n);
-      if (weight > 0) add(cell, place, weight, number, behind);
+      const Weights weights = weights_at((column<D>(place) - centre) / spacing_, n);
+      if (weights.force > 0) add(cell, place, weights, number, behind);
     });
     return behind;
   }
 
-  static double weight_at(const PlaceVector<D>& from_centre, const PlaceVector<D>& n) {
+  /// w of (RP.107), and that of the stress, (RP.112), in spacings.
+  struct Weights {
+    double force = 0, stress = 0;
+  };
+  static Weights weights_at(const PlaceVector<D>& from_centre, const PlaceVector<D>& n) {
     const double below = -n.dot(from_centre);
-    if (below < -1) return 0;
+    if (below < -1) return {};
     const double across2 = (from_centre + below * n).squaredNorm();
-    return std::clamp((depth - below) / (depth - full_depth), 0., 1.) *
-           std::max(1 - across2 / (radius * radius), 0.);
+    const double beside = std::max(1 - across2 / (radius * radius), 0.);
+    constexpr double ramp = depth - full_depth;
+    const double rest = std::max(depth - std::max(below, 0.), 0.);
+    return {beside * std::min(rest / ramp, 1.),
+            beside * (rest < ramp ? rest * rest / (2 * ramp) : rest - ramp / 2)};
   }
 
-  void add(const Cell<D>& cell, const Point<D>& place, double weight, std::int32_t patch,
+  void add(const Cell<D>& cell, const Point<D>& place, const Weights& weights, std::int32_t patch,
            Behind<D>& behind) {
+    const double weight = weights.force;
     const std::int64_t slot = view_.population.layout.slot(view_.body.lattice.wrapped(cell));
     if (slot < 0 || view_.population.kind[slot] == Kind::vacant) return;
     const double phi = view_.fields.get(Field::level_set)[slot] / spacing_;
@@ -186,8 +193,8 @@ class ShareFinder {
     behind.first += material * x;
     behind.second += material * x * x.transpose();
     if (view_.population.kind[slot] != Kind::interior) return;
-    behind.of_particles += weight;
-    shear_.shares.push_back({static_cast<std::int32_t>(slot), patch, weight, place});
+    shear_.shares.push_back(
+        {static_cast<std::int32_t>(slot), patch, weight, weights.stress * spacing_, place});
   }
 
   // Directions along which the places have no spread bear no moment.
@@ -234,6 +241,7 @@ void list_shear_shares(Body<T, D>& body, const Layout<D>& layout, int block) {
   };
   list(block);
   for (const int other : layout.neighbours()[block]) list(other);
+  body.shear[block].before.resize(own.size());
 }
 
 template <class T, int D>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/lattice/lattice.hpp"
+#include "kernels/layout.hpp"
 
 /// Facets on which loads act, and the particles behind those under tractions.
 namespace pliant::remeshed {
@@ -34,9 +35,8 @@ struct ShearPatch {
 
   std::int32_t first_facet = 0, facet_count = 0;
   std::array<Point<D>, D> axes = {};  ///< the outward normal, and unit vectors along the facets
-  Point<D> lever = {};     ///< from the facets to the mean place of what is behind them [m]
-  double material = 0;     ///< W of (RP.107)
-  double represented = 1;  ///< W over the sum of w of the particles
+  Point<D> lever = {};  ///< from the facets to the mean place of what is behind them [m]
+  double material = 0;  ///< W of (RP.107)
   std::array<double, moments* moments> balance = {};  ///< A^-1 of (RP.107) [1/m^2]
 
   // In the present stage the force on a particle is w (mean + turn offset).
@@ -48,8 +48,9 @@ struct ShearPatch {
 template <int D>
 struct ShearShare {
   std::int32_t slot, patch;
-  double weight;    ///< w of (RP.107)
-  Point<D> offset;  ///< from the mean place of what is behind the patch [m]
+  double weight;         ///< w of (RP.107)
+  double stress_weight;  ///< w' of (RP.112) [m]
+  Point<D> offset;       ///< from the mean place of what is behind the patch [m]
 };
 
 /// The patches of one block, and the shares that particles have in patches.
@@ -61,6 +62,8 @@ struct BlockShear {
   std::vector<ShearPatch<D>> patches;
   std::vector<ShearShare<D>> shares;  ///< in these patches, of particles of any block
   std::vector<Index> own;             ///< shares of the particles of this block, in any patches
+  /// [own] stress of the particle before the share was taken from it [Pa].
+  std::vector<std::array<double, kernels::symmetric_components<D>>> before;
 };
 
 }  // namespace pliant::remeshed

@@ -104,6 +104,33 @@ TEST(thickness, slender_bodies_are_warned_of_by_their_deviation) {
             "below) or method = \"total_lagrangian\"");
 }
 
+TEST(thickness, round_walls_are_warned_of_by_their_deviation) {
+  Case a_case = tests::read_text(tests::block_case);  // h = 0.1
+  BoundaryCase& core = a_case.boundaries.emplace_back();
+  core.name = "core";
+  core.kind = BoundaryCase::Kind::fixed;
+  Shape& wall = core.geometry;
+  wall.kind = Shape::Kind::ball;
+  wall.radius = 0.5;
+  std::vector<std::string> warnings;
+  warn_of_round_walls(a_case, {.cylinder = 0.9, .ball = 2}, warnings);
+  EXPECT_TRUE(warnings.empty()) << "0.036";
+  Shape around;
+  around.kind = Shape::Kind::subtract;
+  around.operands = {Shape{}, wall};
+  wall = around;
+  warn_of_round_walls(a_case, {.cylinder = 4, .ball = 2}, warnings);
+  ASSERT_EQ(warnings.size(), 1);
+  EXPECT_EQ(warnings[0],
+            "the wall `core` is round, and its radius is small: a body that it holds turns up to "
+            "16 % too "
+            "far about it, and moves up to 8 % too far; use a finer spacing "
+            "(discretisation.spacing = 0.05 or below) or method = \"total_lagrangian\"");
+  core.kind = BoundaryCase::Kind::slip_wall;
+  warn_of_round_walls(a_case, {.cylinder = 4, .ball = 2}, warnings);
+  EXPECT_EQ(warnings.size(), 1);
+}
+
 TEST(thickness, bodies_are_as_long_as_what_half_spaces_leave_of_a_box) {
   Case cut = tests::read_text(tests::block_case);
   Shape& shape = cut.bodies[0].geometry;
