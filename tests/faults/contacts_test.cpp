@@ -26,10 +26,10 @@ std::string standing_in(const char* height) {
 
 const Fault faults[] = {
     {"a_body_partly_inside_a_contact_wall", standing_in("0.5"),
-     "block.toml:8: body \"block\" overlaps the contact wall \"floor\" by 0.25 at the start; move "
+     "block.toml:8: body \"block\" overlaps the contact wall \"floor\" by 0.5 at the start; move "
      "the body or the wall until they stand apart, or subtract the wall from the body"},
     {"a_body_wholly_inside_a_contact_wall", standing_in("10"),
-     "block.toml:8: body \"block\" overlaps the contact wall \"floor\" by 0.5 at the start; move "
+     "block.toml:8: body \"block\" overlaps the contact wall \"floor\" by 1 at the start; move "
      "the body or the wall until they stand apart, or subtract the wall from the body"},
     {"contact_with_an_unknown_body",
      meeting("1.1", "[[contact]]\nbodies = [\"block\", \"othr\"]\n"),
@@ -61,7 +61,7 @@ const Fault faults[] = {
      "block.toml:19: bodies \"block\" and \"other\" are in two [[contact]] tables; keep one of "
      "them"},
     {"bodies_that_overlap", meeting("0.6", pair),
-     "block.toml:17: bodies \"block\" and \"other\" overlap by 0.2 at the start; move one of them, "
+     "block.toml:17: bodies \"block\" and \"other\" overlap by 0.4 at the start; move one of them, "
      "or remove the contact"},
     {"tied_bodies_that_do_not_meet", meeting("1.5", pair + "kind = \"tied\"\n"),
      "block.toml:17: bodies \"block\" and \"other\" are tied but do not meet; let their surfaces "

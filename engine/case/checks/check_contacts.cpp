@@ -10,7 +10,7 @@
 namespace pliant {
 namespace {
 
-/// Largest overlap of shapes at t = 0 [spacings]. Contact pushes them apart at once and so creates
+/// Largest depth of a point inside both shapes at t = 0 [spacings], half of their overlap. Contact pushes them apart at once and so creates
 /// energy. Tied bodies keep their places.
 constexpr double deepest_contact = 0.05, deepest_tie = 0.25;
 
@@ -30,7 +30,7 @@ void check_places(const Check& check, std::size_t index) {
   if (depth > (is_tied ? deepest_tie : deepest_contact) * spacing) {
     check.problems.add(place,
                        fmt::format("bodies \"{}\" and \"{}\" overlap by {:.3g} at the start",
-                                   first.name, second.name, depth),
+                                   first.name, second.name, 2 * depth),
                        "move one of them, or remove the contact");
   } else if (is_tied && depth < -0.75 * spacing) {
     check.problems.add(
@@ -56,7 +56,7 @@ void check_contact_wall(const Check& check, std::size_t body_index, std::size_t 
   check.problems.add(
       check.place("body", body_index, "geometry"),
       fmt::format("body \"{}\" overlaps the contact wall \"{}\" by {:.3g} at the start", body.name,
-                  wall.name, depth),
+                  wall.name, 2 * depth),
       "move the body or the wall until they stand apart, or subtract the wall from "
       "the body");
 }
