@@ -86,7 +86,9 @@ void StageWork<T, D>::copy_image_states(int block, int stage) {
 template <class T, int D>
 void StageWork<T, D>::write_records(int block, int stage) {
   const auto [body, local] = state_.owner(block);
-  write_surface_records(body, local, stage, time_step_ / 2, kernels_);
+  const bool damping_is_adaptive = !settings_.discretisation.damping;
+  const Slopes slopes = slopes_at(stage, time_step_, damping_is_adaptive);
+  write_surface_records(body, local, stage, slopes, kernels_);
 }
 
 template <class T, int D>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/remeshed/ghosts/surface_records.hpp"
 #include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 #include "engine/remeshed/state/resources.hpp"
@@ -158,12 +159,16 @@ void Step<T, D>::add_shear(std::vector<Phase>& phases, int stage) {
 }
 
 template <class T, int D>
-Accesses Step<T, D>::read_by_surface(int stage) {
+Accesses Step<T, D>::read_by_surface(int stage) const {
   const int current = buffer_of(stage), parity = stage % 2;
   const Accesses reads = own(particles(velocity, current) + particles(stress, parity) +
                              particles(material, current) + particles(constants) + whole(fits));
-  if (stage > 0) return reads + own(whole(records));
-  return reads + near(particles(drift) + particles(velocity) + slots(constants) + whole(interior));
+  const bool damping_is_adaptive = !settings_.discretisation.damping;
+  if (!slopes_at(stage, 0, damping_is_adaptive).are_renewed) return reads + own(whole(records));
+  return reads +
+         near(particles(drift, drift_buffer_of(stage)) + particles(velocity, current) +
+              slots(constants) + whole(interior)) +
+         own(whole(records));
 }
 
 // The work of loads and walls needs phi. Walls with slip need the positions of particles and

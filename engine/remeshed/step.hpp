@@ -52,7 +52,7 @@ class Step {
 
   void add_ghosts(std::vector<scheduler::Phase>& phases, int stage, bool all_of_them);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage);
-  static Accesses read_by_surface(int stage);
+  Accesses read_by_surface(int stage) const;
   Accesses read_by_ghosts(int stage, bool all_of_them) const;
   Accesses written_by_ghosts(int stage) const;
   Accesses read_by_advance(int stage, scheduler::Reach reach) const;

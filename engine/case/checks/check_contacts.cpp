@@ -10,8 +10,8 @@
 namespace pliant {
 namespace {
 
-/// Largest depth of a point inside both shapes at t = 0 [spacings], half of their overlap. Contact pushes them apart at once and so creates
-/// energy. Tied bodies keep their places.
+/// Largest depth of a point inside both shapes at t = 0 [spacings], half of their overlap. Contact
+/// pushes them apart at once and so creates energy. Tied bodies keep their places.
 constexpr double deepest_contact = 0.05, deepest_tie = 0.25;
 
 void check_places(const Check& check, std::size_t index) {

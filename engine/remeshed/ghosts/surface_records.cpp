@@ -73,7 +73,7 @@ void resolve_records(Population<T, D>& population, int block, const std::int32_t
 }
 
 template <class T, int D>
-void write_surface_records(Body<T, D>& body, int block, int stage, double lead,
+void write_surface_records(Body<T, D>& body, int block, int stage, Slopes slopes,
                            const kernels::RemeshedTable<T, D>& kernels) {
   const Layout<D>& layout = body.population.layout;
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
@@ -89,15 +89,15 @@ void write_surface_records(Body<T, D>& body, int block, int stage, double lead,
   work.state = body.template evolving<const T>(stage);
   work.stress = std::as_const(body).stress_view(stage % 2);
   work.records = body.records.get();
-  work.renews_slopes = stage == 0;
-  work.lead = static_cast<T>(lead);
+  work.renews_slopes = slopes.are_renewed;
+  work.lead = static_cast<T>(slopes.lead);
   work.relaxes = !body.prony.empty();
   kernels.write_surface_records(work);
 }
 
-template void write_surface_records<double, 2>(Body<double, 2>&, int, int, double,
+template void write_surface_records<double, 2>(Body<double, 2>&, int, int, Slopes,
                                                const kernels::RemeshedTable<double, 2>&);
-template void write_surface_records<double, 3>(Body<double, 3>&, int, int, double,
+template void write_surface_records<double, 3>(Body<double, 3>&, int, int, Slopes,
                                                const kernels::RemeshedTable<double, 3>&);
 template void list_surface_particles<double, 2>(Population<double, 2>&, int, const std::int32_t*);
 template void number_records<double, 2>(Population<double, 2>&, const LevelSet<double, 2>&, double,
@@ -109,9 +109,9 @@ template void number_records<double, 3>(Population<double, 3>&, const LevelSet<d
                                         std::int32_t*);
 template void list_slots_of_records<double, 3>(Population<double, 3>&);
 template void resolve_records<double, 3>(Population<double, 3>&, int, const std::int32_t*);
-template void write_surface_records<float, 2>(Body<float, 2>&, int, int, double,
+template void write_surface_records<float, 2>(Body<float, 2>&, int, int, Slopes,
                                               const kernels::RemeshedTable<float, 2>&);
-template void write_surface_records<float, 3>(Body<float, 3>&, int, int, double,
+template void write_surface_records<float, 3>(Body<float, 3>&, int, int, Slopes,
                                               const kernels::RemeshedTable<float, 3>&);
 template void list_surface_particles<float, 2>(Population<float, 2>&, int, const std::int32_t*);
 template void number_records<float, 2>(Population<float, 2>&, const LevelSet<float, 2>&, double,
