@@ -11,10 +11,10 @@ struct Slopes {
 };
 
 /// grad phi of the middle of a step serves all its stages. The stress turns from stage to stage,
-/// though, so that forces of stages that are compared, (RP.88), need grad phi of their own times;
-/// the second and the third stage have the same one.
-inline Slopes slopes_at(int stage, double time_step, bool stages_are_compared) {
-  if (stages_are_compared) return {stage != 2, 0};
+/// though, so that the forces of the first two stages, if compared as in (RP.88), need grad phi of
+/// their own times.
+inline Slopes slopes_at(int stage, double time_step, bool first_two_are_compared) {
+  if (first_two_are_compared) return {stage < 2, 0};
   return {stage == 0, time_step / 2};
 }
 
