@@ -104,6 +104,18 @@ void warn_of(const Case& a_case, std::span<const ThinBodyError> errors, const Le
   }
 }
 
+/// The largest error beside a part of a wall.
+double error_beside(const Shape& shape, int dimension, double h, const RoundWallError& error) {
+  double largest = 0;
+  for (const Shape& part : shape.operands) {
+    largest = std::max(largest, error_beside(part, dimension, h, error));
+  }
+  using enum Shape::Kind;
+  if (shape.kind != ball && shape.kind != capsule && shape.kind != cylinder) return largest;
+  const bool is_ball = shape.kind == ball && dimension == 3;
+  return (is_ball ? error.ball : error.cylinder) * std::pow(h / shape.radius, 2);
+}
+
 }  // namespace
 
 double thickness(const Case& a_case, const BodyCase& body) {
@@ -170,22 +182,6 @@ void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::
   }
 }
 
-namespace {
-
-/// The largest error beside a part of a wall.
-double error_beside(const Shape& shape, int dimension, double h, const RoundWallError& error) {
-  double largest = 0;
-  for (const Shape& part : shape.operands) {
-    largest = std::max(largest, error_beside(part, dimension, h, error));
-  }
-  using enum Shape::Kind;
-  if (shape.kind != ball && shape.kind != capsule && shape.kind != cylinder) return largest;
-  const bool is_ball = shape.kind == ball && dimension == 3;
-  return (is_ball ? error.ball : error.cylinder) * std::pow(h / shape.radius, 2);
-}
-
-}  // namespace
-
 void warn_of_round_walls(const Case& a_case, const RoundWallError& error,
                          std::vector<std::string>& warnings) {
   constexpr double unmentioned = 0.04;
@@ -196,9 +192,8 @@ void warn_of_round_walls(const Case& a_case, const RoundWallError& error,
     const double deviation = error_beside(boundary.geometry, a_case.dimension, h, error);
     if (deviation < unmentioned) continue;
     warnings.push_back(fmt::format(
-        "the wall `{}` is round, and its radius is small: a body that it holds turns up to {:.0f} "
-        "% "
-        "too far about it, and moves up to {:.0f} % too far; use a finer spacing "
+        "the wall `{}` is round, and its radius is small: a body that it holds turns up to "
+        "{:.0f} % too far about it, and moves up to {:.0f} % too far; use a finer spacing "
         "(discretisation.spacing = {:.3g} or below) or method = \"total_lagrangian\"",
         boundary.name, 100 * deviation, 50 * deviation, h * std::sqrt(unmentioned / deviation)));
   }
