@@ -30,6 +30,9 @@ inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }
 
+/// Whether the damping rate follows the motion, (RP.88).
+inline bool damps_adaptively(const Case& settings) { return !settings.discretisation.damping; }
+
 /// Whether the gradient of a particle reads the volumes of its neighbours.
 inline bool reads_volumes(const Case& settings) {
   return parameters_of(settings).gradient == kernels::Gradient::normalised;

@@ -86,8 +86,7 @@ void StageWork<T, D>::copy_image_states(int block, int stage) {
 template <class T, int D>
 void StageWork<T, D>::write_records(int block, int stage) {
   const auto [body, local] = state_.owner(block);
-  const bool damping_is_adaptive = !settings_.discretisation.damping;
-  const Slopes slopes = slopes_at(stage, time_step_, damping_is_adaptive);
+  const Slopes slopes = slopes_at(stage, time_step_, damps_adaptively(settings_));
   write_surface_records(body, local, stage, slopes, kernels_);
 }
 

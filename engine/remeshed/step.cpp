@@ -163,8 +163,8 @@ Accesses Step<T, D>::read_by_surface(int stage) const {
   const int current = buffer_of(stage), parity = stage % 2;
   const Accesses reads = own(particles(velocity, current) + particles(stress, parity) +
                              particles(material, current) + particles(constants) + whole(fits));
-  const bool damping_is_adaptive = !settings_.discretisation.damping;
-  if (!slopes_at(stage, 0, damping_is_adaptive).are_renewed) return reads + own(whole(records));
+  const bool renews_slopes = slopes_at(stage, 0, damps_adaptively(settings_)).are_renewed;
+  if (!renews_slopes) return reads + own(whole(records));
   return reads +
          near(particles(drift, drift_buffer_of(stage)) + particles(velocity, current) +
               slots(constants) + whole(interior)) +

@@ -45,7 +45,7 @@ BodyForces<T, D>::BodyForces(State<T, D>& state, const Case& settings)
     : state_(state),
       gravity_(settings),
       mass_scaling_(parameters_of(settings).mass_scaling),
-      is_adaptive_(!settings.discretisation.damping) {}
+      is_adaptive_(damps_adaptively(settings)) {}
 
 template <class T, int D>
 void BodyForces<T, D>::prepare(double time_step) {

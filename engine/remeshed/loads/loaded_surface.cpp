@@ -69,13 +69,12 @@ FacetForce<D> force_of(const LoadedFacet<D>& facet, const PlaceVector<D>& area, 
     for (int k = i; k < D; ++k) {
       if (load[k] == load[i]) part += along[k] * normals.col(k);
     }
-    force.normal -= values.pressure_at(load[i], x) * part;
+    force.whole -= values.pressure_at(load[i], x) * part;
     const double size = part.norm();
     if (size == 0) continue;
     const PlaceVector<D> traction = column<D>(values.traction_at(load[i], x));
-    const PlaceVector<D> along_normal = traction.dot(part) / size * part;
-    force.normal += along_normal;
-    force.shear += size * traction - along_normal;
+    force.whole += size * traction;
+    force.shear += size * traction - traction.dot(part) / size * part;
   }
   return force;
 }
@@ -148,7 +147,7 @@ FacetForce<D> force_at_stage(const Body<T, D>& body, const LoadedFacet<D>& facet
     middle += places[i] / D;
   }
   FacetForce<D> force = force_of<D>(facet, area_of(places), as_point<D>(middle), values);
-  force.normal *= facet.share;
+  force.whole *= facet.share;
   force.shear *= facet.share;
   return force;
 }
@@ -164,9 +163,8 @@ LoadsOnBlock<D> loads_on_block(const Body<T, D>& body, int block, int stage,
       velocity += between<T, D>(state, Field::velocity, corner) / D;
     }
     const FacetForce<D> force = force_at_stage(body, facet, stage, values);
-    const PlaceVector<D> whole = force.normal + force.shear;
-    for (int a = 0; a < D; ++a) loads.force[a] += whole[a];
-    loads.power += whole.dot(velocity);
+    for (int a = 0; a < D; ++a) loads.force[a] += force.whole[a];
+    loads.power += force.whole.dot(velocity);
   }
   return loads;
 }

@@ -22,10 +22,10 @@ inline PlaceVector<3> area_of(const std::array<PlaceVector<3>, 3>& x) {
   return (x[1] - x[0]).cross(x[2] - x[0]) / 2;
 }
 
-/// The load on a facet: its part along the normal, and the rest.
+/// The load on a facet, and its part along the surface.
 template <int D>
 struct FacetForce {
-  PlaceVector<D> normal, shear;  ///< [N, in 2D N/m]
+  PlaceVector<D> whole, shear;  ///< [N, in 2D N/m]
 };
 template <class T, int D>
 FacetForce<D> force_at_stage(const Body<T, D>& body, const LoadedFacet<D>& facet, int stage,
