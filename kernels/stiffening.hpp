@@ -38,10 +38,13 @@ inline P wave_modulus(const HyperelasticMaterial<Scalar<P>>& material, const P (
 }
 
 /// Upper bound of c_X^2/c^2 of (PB.12) at J > 0, at least 1; c is that of pressure waves at rest.
+/// `added` is what more than the law adds to rho0 c_X^2.
 template <ElasticLaw law, class P, int D>
-inline P stiffening2(const HyperelasticMaterial<Scalar<P>>& material, const P (&f)[D * D]) {
+inline P stiffening2(const HyperelasticMaterial<Scalar<P>>& material, const P (&f)[D * D],
+                     const P& added = P(Scalar<P>(0))) {
   const P lambda(material.lame_modulus), mu(material.shear_modulus);
-  return xsimd::max(P(Scalar<P>(1)), wave_modulus<law, P, D>(material, f) / (lambda + mu + mu));
+  const P modulus = wave_modulus<law, P, D>(material, f) + added;
+  return xsimd::max(P(Scalar<P>(1)), modulus / (lambda + mu + mu));
 }
 
 }  // namespace pliant::kernels

@@ -93,6 +93,11 @@ struct Body : undeformed::Body<T, D> {
   std::array<Buffer<T>, symmetric> moment, strain;
   Buffer<T> share;       ///< share in the volume of its group, (PB.60); only with groups
   T shared_modulus = 0;  ///< [Pa]
+  std::vector<kernels::PronyTerm<double>> prony_shear;  ///< of the material
+  /// [tensor * network_components + component] A_i - I of (TL.24) at the last forces, and then
+  /// J^(2/3) C^-1 - I; empty without `prony_shear`.
+  std::vector<Buffer<T>> network;
+  double memory_age = 0;  ///< time since then [s]
   std::array<Buffer<T>, symmetric>
       initial_stress;                      ///< S0 of (TL.14) [Pa]; empty without initial stress
   std::array<Buffer<T>, D> pressure_load;  ///< [N]; only with pressures
@@ -201,6 +206,7 @@ struct Body : undeformed::Body<T, D> {
     f(field_list[Field::end_velocity], span(body.end_velocity));
     f(field_list[Field::velocity_gain], span(body.velocity_gain));
     if (body.is_viscous()) f(field_list[Field::strain], span(body.strain));
+    f(field_list[Field::network], span(body.network));
     if (body.is_sampled()) {
       f(field_list[Field::sampled_displacement], span(body.sampled_displacement));
       f(field_list[Field::sampled_force], span(body.sampled_force));

@@ -42,6 +42,11 @@ Footprint footprint(const Case& a_case, const BodyCase& body) {
   const double bond = sizeof(double) * (dimension + 1.0) + 2, candidate = 16;
   footprint.bytes_per_particle =
       neighbour_count(a_case) * (bond + candidate) + sizeof(double) * (8.0 * dimension + 30);
+  if (!body.prony_shear.empty()) {
+    const int components = dimension == 2 ? 4 : 6;
+    footprint.bytes_per_particle +=
+        sizeof(double) * components * (static_cast<double>(body.prony_shear.size()) + 1);
+  }
   // Measured in cases/edge_cut and cases/block_cut: kept gradients, simplices, crossed bonds.
   if (has_cuts(a_case, body)) footprint.bytes_per_particle += dimension == 2 ? 530 : 860;
   // Measured with discs and spheres: places, shares, patches, lists.

@@ -83,7 +83,6 @@ void check(const Check& check) {
   refuse_tables(check, {"periodic"});
   for (std::size_t i = 0; i < a_case.cuts.size(); ++i) check_cut(check, i);
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
-  refuse_prony_shear(check);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 

@@ -18,6 +18,7 @@
 #include "engine/point_based/forces/node_groups.hpp"
 #include "engine/point_based/parameters.hpp"
 #include "engine/point_based/surface/surface.hpp"
+#include "engine/undeformed/network_memory.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::point_based {
@@ -27,6 +28,17 @@ namespace {
 // Small blocks keep all workers busy; large ones have less halo per node.
 constexpr int least_nodes_of_block = 512, most_nodes_of_block = 1536, least_blocks = 32;
 constexpr double on_wall = 1e-9;
+
+// The coefficients are those of full relaxation, (TL.24); the moduli are those of a sudden change.
+template <class T, int D>
+void take_material(const BodyCase& source, Body<T, D>& body) {
+  kernels::HyperelasticMaterial<double> material = hyperelastic_material(source);
+  const double lasting = long_term_share(source.prony_shear);
+  for (double& coefficient : material.polynomial.coefficient) coefficient *= lasting;
+  body.material = kernels::with_scalar<T>(material);
+  body.prony_shear = source.prony_shear;
+  body.network.resize(undeformed::network_arrays<D>(body.prony_shear.size()));
+}
 
 template <class T, int D>
 void lay_out(const NodeCloud<D>& cloud, Body<T, D>& body) {
@@ -153,7 +165,7 @@ void make_nodes(const Case& settings, const BodyCase& source, const PlacedNodes<
                 const Boundaries<D>& boundaries, PressureForces pressures, Body<T, D>& body) {
   body.name = source.name;
   body.source = &source;
-  body.material = kernels::with_scalar<T>(hyperelastic_material(source));
+  take_material(source, body);
   lay_out(nodes.cloud, body);
   make_room(settings, boundaries, pressures, body);
   body.resolution = std::numeric_limits<double>::infinity();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -25,6 +26,10 @@ struct State : undeformed::State<D> {
   std::span<const CutSurface<D>> cut_surfaces(std::size_t body) const {
     if (body >= cuts.size() || !cuts[body]) return {};
     return cuts[body]->surfaces();
+  }
+  /// Sets the time since the networks of the bodies were advanced, at `forces` [s].
+  void age_memory(double forces) {
+    for (Body<T, D>& body : bodies) body.memory_age = std::max(0., this->clock.time - forces);
   }
   /// Estimate of the highest squared frequency of all bodies, (PB.12) [1/s^2].
   double frequency2 = 0;

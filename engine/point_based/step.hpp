@@ -10,6 +10,7 @@
 #include "engine/undeformed/contact/body_contact.hpp"
 #include "engine/undeformed/contact/wall_contact.hpp"
 #include "engine/undeformed/motion_sampler.hpp"
+#include "engine/undeformed/network_memory.hpp"
 #include "kernels/point_based/table.hpp"
 #include "scheduler/phase.hpp"
 
@@ -95,6 +96,7 @@ class Step {
   undeformed::BodyContact<T, D> body_contact_;
   std::vector<BlockResult> results_;  ///< [block]
   undeformed::MotionSampler<T, D> sampler_;
+  std::vector<undeformed::NetworkMemory<T>> networks_;  ///< [body]
 };
 
 extern template class Step<double, 2>;

@@ -17,6 +17,7 @@
 #include "engine/total_lagrangian/nodes.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/prestress.hpp"
+#include "engine/undeformed/network_memory.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::total_lagrangian {
@@ -89,11 +90,8 @@ void take_material(const BodyCase& source, Body<T, D>& body) {
   for (double& coefficient : polynomial.coefficient) coefficient *= lasting;
   body.material = kernels::with_scalar<T>(material);
   body.prony_shear = source.prony_shear;
-  if (!body.prony_shear.empty()) {
-    const std::size_t tensors = body.prony_shear.size() + 1;
-    body.network.resize(tensors * kernels::network_components<D>);
-    body.next_network.resize(body.network.size());
-  }
+  body.network.resize(undeformed::network_arrays<D>(body.prony_shear.size()));
+  body.next_network.resize(body.network.size());
   body.prony = source.prony;
   body.memory_pressure.resize(body.prony.size());
   body.next_memory_pressure.resize(body.prony.size());

@@ -106,17 +106,15 @@ void Step<T, D>::prepare(const Advance& advance) {
   boundary_forces_.prepare(advance.time, advance.kick(), advance.length);
   body_contact_.prepare(advance.kick(), advance.length, advance.length);
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    const Body<T, D>& body = state_.bodies[b];
+    Body<T, D>& body = state_.bodies[b];
     list_memory(b);
+    memory_[b].shear.prepare(advance.previous, body.network, body.next_network);
     const auto relaxation = [&](const kernels::PronyTerm<double>& term, T modulus) {
       return kernels::relaxation<T>({static_cast<T>(term.ratio), static_cast<T>(term.time)},
                                     modulus, advance.previous);
     };
     for (std::size_t i = 0; i < body.prony.size(); ++i) {
       memory_[b].bulk[i] = relaxation(body.prony[i], body.material.polynomial.bulk_modulus);
-    }
-    for (std::size_t i = 0; i < body.prony_shear.size(); ++i) {
-      memory_[b].shear[i] = relaxation({1, body.prony_shear[i].time}, 1);
     }
   }
 }
@@ -150,17 +148,12 @@ StepResult Step<T, D>::fold() {
 
 template <class T, int D>
 void Step<T, D>::prepare_memory() {
-  memory_.resize(state_.bodies.size());
-  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    const Body<T, D>& body = state_.bodies[b];
-    BodyMemory<T>& memory = memory_[b];
-    memory.bulk.resize(body.prony.size());
-    memory.shear.resize(body.prony_shear.size());
-    memory.shear_ratio.clear();
-    for (const kernels::PronyTerm<double>& term : body.prony_shear) {
-      memory.shear_ratio.push_back(static_cast<T>(term.ratio / long_term_share(body.prony_shear)));
-    }
-    list_memory(b);
+  memory_.clear();
+  for (const Body<T, D>& body : state_.bodies) {
+    memory_.push_back({std::vector<kernels::Relaxation<T>>(body.prony.size()),
+                       {},
+                       {},
+                       undeformed::NetworkMemory<T>(body.prony_shear)});
   }
 }
 
@@ -174,8 +167,6 @@ void Step<T, D>::list_memory(std::size_t b) {
   Body<T, D>& body = state_.bodies[b];
   list(body.memory_pressure, memory_[b].pressure);
   list(body.next_memory_pressure, memory_[b].next_pressure);
-  list(body.network, memory_[b].tensor);
-  list(body.next_network, memory_[b].next_tensor);
 }
 
 template <class T, int D>
@@ -190,13 +181,6 @@ kernels::CellViscosity<T> Step<T, D>::viscosity(int b) {
   viscosity.volume_change = body.volume_change.get();
   viscosity.next_volume_change = body.next_volume_change.get();
   return viscosity;
-}
-
-template <class T, int D>
-kernels::CellNetworks<T> Step<T, D>::networks(int b) const {
-  const BodyMemory<T>& memory = memory_[b];
-  return {static_cast<int>(memory.shear.size()), memory.shear.data(), memory.shear_ratio.data(),
-          memory.tensor.data(), memory.next_tensor.data()};
 }
 
 template <class T, int D>
@@ -244,7 +228,7 @@ void Step<T, D>::move(int block) {
   work.slot_count = range.slot_count;
   set_cells(body, local, work);
   work.viscosity = viscosity(state_.blocks[block].body);
-  work.networks = networks(state_.blocks[block].body);
+  work.networks = memory_[state_.blocks[block].body].shear.networks();
   set_particles(body, work);
   std::array<Buffer<T>, D>& force = force_[std::max(workers_.index(), 0)];
   for (int a = 0; a < D; ++a) work.force[a] = force[a].get();

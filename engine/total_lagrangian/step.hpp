@@ -9,6 +9,7 @@
 #include "engine/undeformed/contact/body_contact.hpp"
 #include "engine/undeformed/contact/wall_contact.hpp"
 #include "engine/undeformed/motion_sampler.hpp"
+#include "engine/undeformed/network_memory.hpp"
 #include "kernels/total_lagrangian/table.hpp"
 #include "scheduler/phase.hpp"
 #include "scheduler/workers.hpp"
@@ -25,10 +26,9 @@ struct StepResult : undeformed::StepResult {
 /// The memory of a viscous body as kernels read it.
 template <class T>
 struct BodyMemory {
-  std::vector<kernels::Relaxation<T>> bulk, shear;  ///< [term], since the last step
-  std::vector<T> shear_ratio;                       ///< [term] of CellNetworks
-  std::vector<T*> pressure, next_pressure;          ///< [term]
-  std::vector<T*> tensor, next_tensor;              ///< [component] of CellNetworks
+  std::vector<kernels::Relaxation<T>> bulk;  ///< [term], since the last step
+  std::vector<T*> pressure, next_pressure;   ///< [term]
+  undeformed::NetworkMemory<T> shear;
 };
 
 /// The phases of one time step: the method in the order of its equations.
@@ -54,7 +54,6 @@ class Step {
   void prepare_memory();
   void list_memory(std::size_t body);
   kernels::CellViscosity<T> viscosity(int body);
-  kernels::CellNetworks<T> networks(int body) const;
   void set_cells(const Body<T, D>& body, int local, kernels::Motion<T, D>& work) const;
   void set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) const;
   void reserve_forces();

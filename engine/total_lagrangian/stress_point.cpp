@@ -6,6 +6,7 @@
 
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
+#include "engine/method/networks.hpp"
 #include "kernels/total_lagrangian/cell_energy.hpp"
 #include "kernels/total_lagrangian/hourglass.hpp"
 #include "kernels/with_scalar.hpp"
@@ -126,60 +127,14 @@ double add_prestress(const Body<T, D>& body, std::int64_t slot, StressPoint<D>& 
   return lasting.energy;
 }
 
-/// Adds `factor` times the deviator of the 3D tensor b to the stress of the point.
-template <int D>
-void add_deviator(double factor, const Eigen::Matrix3d& b, StressPoint<D>& point) {
-  const double mean = b.trace() / 3;
-  for (int i = 0; i < D; ++i) {
-    for (int k = i; k < D; ++k) {
-      point.stress[kernels::symmetric_index<D>(i, k)] += factor * (b(i, k) - (i == k ? mean : 0));
-    }
-  }
-}
-
-/// sum_n C_n0 (I1 - 3)^n
-double polynomial_energy(const kernels::Material<double>& material, double excess) {
-  double energy = 0, power = 1;
-  for (int n = 1; n <= material.order; ++n) {
-    power *= excess;
-    energy += material.coefficient[n - 1] * power;
-  }
-  return energy;
-}
-
 /// Adds the present stress of the networks of (TL.24). Returns their energy per volume.
 template <class T, int D>
 double add_networks(const Body<T, D>& body, const kernels::Material<double>& material,
                     std::int64_t slot, const Eigen::Matrix3d& f, StressPoint<D>& point) {
-  constexpr int components = kernels::network_components<D>;
-  const double j = point.volume_ratio, scale = std::pow(j, -2. / 3);
-  const Eigen::Matrix3d strain =
-      (f.transpose() * f).inverse() / scale - Eigen::Matrix3d::Identity();
-  const auto tensor = [&](std::size_t i) {
-    const auto at = [&](int c) -> double { return body.network[components * i + c][slot]; };
-    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-    for (int k = 0; k < D; ++k) {
-      for (int l = 0; l < D; ++l) a(k, l) = at(kernels::symmetric_index<D>(k, l));
-    }
-    if (D == 2) a(2, 2) = at(components - 1);
-    return a;
-  };
-  const Eigen::Matrix3d before = tensor(body.prony_shear.size());
-  const double lasting = long_term_share(body.prony_shear);
-  double energy = 0;
-  for (std::size_t i = 0; i < body.prony_shear.size(); ++i) {
-    const auto term =
-        kernels::relaxation<double>({1, body.prony_shear[i].time}, 1, body.memory_age);
-    const Eigen::Matrix3d a = Eigen::Matrix3d::Identity() + term.decay * tensor(i) +
-                              term.start * before + term.end * strain;
-    const Eigen::Matrix3d b = scale * f * a * f.transpose();
-    const double excess = b.trace() - 3, ratio = body.prony_shear[i].ratio / lasting;
-    Pack first, second;
-    kernels::energy_derivatives(material, Pack(excess), first, second);
-    add_deviator<D>(2 * ratio * first.get(0) / j, b, point);
-    energy += ratio * polynomial_energy(material, excess);
-  }
-  return energy;
+  const NetworkStress<D> networks =
+      network_stress<T, D>(material, {body.prony_shear, body.network, body.memory_age}, slot, f);
+  for (std::size_t c = 0; c < point.stress.size(); ++c) point.stress[c] += networks.stress[c];
+  return networks.energy;
 }
 
 /// The state of the cell of a law (TL.3) or (TL.22), as kernels take it.
@@ -194,7 +149,7 @@ kernels::CellState<Pack, D> cell_state(const Body<T, D>& body, const CellShape<D
   std::copy_n(state.f, D * D, state.by_f);
   const kernels::HourglassWeights<Pack, D> weights(body.hourglass, body.lattice.spacing);
   state.hourglass = kernels::hourglass_squares<Pack, D>(weights, state.f, mode, state.by_f);
-  state.complete();
+  state.find_cofactor();
   return state;
 }
 
@@ -211,7 +166,7 @@ double take_polynomial(const Body<T, D>& body, const kernels::Material<double>& 
   for (int i = 0; i < D; ++i) point.stress[kernels::symmetric_index<D>(i, i)] = -point.pressure;
   Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
   f.topLeftCorner<D, D>() = shape.f;
-  add_deviator<D>(stress.shear.get(0) / j, f * f.transpose(), point);
+  add_deviator<D>(stress.shear.get(0) / j, f * f.transpose(), point.stress);
   double energy = volumetric_energy(material, j) + relaxed.energy +
                   polynomial_energy(material, stress.excess.get(0));
   if (!body.prony_shear.empty()) energy += add_networks<T, D>(body, material, slot, f, point);

@@ -5,6 +5,7 @@
 
 #include "kernels/hyperelastic_material.hpp"
 #include "kernels/layout.hpp"
+#include "kernels/networks.hpp"
 
 /// Arguments of the kernels of the point-based method. Nodes are slots; those of a block are
 /// contiguous, padded to whole packs with slots without mass.
@@ -54,7 +55,8 @@ struct PointForces {
   T shared_modulus;  ///< lambda - 3/2 mu of (PB.60) [Pa]
   T viscosity;       ///< beta over the time step, (PB.9)
   bool examine;      ///< whether to compute PointForcesResult
-  HyperelasticMaterial<T> material;
+  HyperelasticMaterial<T> material;  ///< coefficients without the share that relaxes, (TL.24)
+  Networks<T> networks;              ///< [slot] read and updated; without terms: none
   T* point;  ///< [count + halo_count][point_stride] scratch for displacements
   T* force;  ///< [count + halo_count][point_stride] [N]
 };

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+
 #include "kernels/dilatation.hpp"
+#include "kernels/networks.hpp"
 #include "kernels/point_based/bonds_of_register.hpp"
 #include "kernels/point_based/collect_points.hpp"
 #include "kernels/point_based/groups_of_register.hpp"
@@ -39,6 +42,48 @@ inline void apply_kept(const PointForces<Scalar<P>, D>& block, std::int64_t slot
   add_product<P, D>(fit, kept, f);
 }
 
+/// The values of the nodes of a register, from `slot` on.
+template <class P>
+struct NodeSlots {
+  using T = Scalar<P>;
+  std::int64_t slot;
+
+  P get(const T* from) const { return load<P>(from + slot); }
+  void put(T* to, const P& value, const P&) const { value.store_unaligned(to + slot); }
+};
+
+/// The same for states that must stay as they are.
+template <class P>
+struct FixedNodeSlots : NodeSlots<P> {
+  void put(Scalar<P>*, const P&, const P&) const {}
+};
+
+/// Advances the networks of the nodes from `slot` on, (TL.24), and adds their stress.
+template <class P, int D>
+[[gnu::noinline]] void add_networks(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
+                                    const P (&f)[D * D], P (&piola)[D * D]) {
+  Deformation<P, D> state;
+  std::copy_n(f, D * D, state.f);
+  state.find_cofactor();
+  relax_networks<P, D>(block.networks, block.material.polynomial, false, state, NodeSlots<P>{slot},
+                       piola);
+}
+
+/// What the networks add to rho0 c_X^2 of (PB.12).
+template <class P, int D>
+inline P network_modulus(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
+                         const P (&f)[D * D]) {
+  Deformation<P, D> state;
+  std::copy_n(f, D * D, state.f);
+  state.find_cofactor();
+  P unused[D * D];
+  for (P& component : unused) component = P(Scalar<P>(0));
+  const P speed2 = relax_networks<P, D>(block.networks, block.material.polynomial, true, state,
+                                        FixedNodeSlots<P>{{slot}}, unused);
+  return P(block.material.density) * speed2 * norm2_of<P, D>(state.cof) /
+         (state.volume_ratio * state.volume_ratio);
+}
+
 /// B = V (P - kappa (F - I) A) of (PB.5), plus the viscous stress (PB.9); adds pressure, (PB.11).
 /// `shared` is the part of groups in the derivative of psi with respect to theta.
 template <ElasticLaw law, class P, int D>
@@ -66,6 +111,9 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
     }
     hooke<P, D>(P(block.material.lame_modulus), P(block.material.shear_modulus), rate, s);
     add_pulled_back<P, D>(f, s, b);
+  }
+  if constexpr (law == ElasticLaw::reduced_polynomial) {
+    if (block.networks.terms > 0) add_networks<P, D>(block, slot, f, b);
   }
   if (block.initial_stress[0] != nullptr) {
     add_initial_stress<P, D>(block.initial_stress, slot, f, b);
@@ -139,8 +187,13 @@ template <ElasticLaw law, class P, int D>
     apply_kept<P, D>(block, slot, f, kept);
     stretch = norm2_of<P, D>(kept);
   }
-  const P frequency2 =
-      load<P>(block.frequency2 + slot) * stretch * stiffening2<law, P, D>(block.material, f);
+  P stiffening = stiffening2<law, P, D>(block.material, f);
+  if constexpr (law == ElasticLaw::reduced_polynomial) {
+    if (block.networks.terms > 0) {
+      stiffening = stiffening2<law, P, D>(block.material, f, network_modulus<P, D>(block, slot, f));
+    }
+  }
+  const P frequency2 = load<P>(block.frequency2 + slot) * stretch * stiffening;
   result.frequency2 = std::max(result.frequency2, static_cast<double>(largest(frequency2)));
 }
 

@@ -5,7 +5,7 @@
 
 #include "kernels/hyperelastic_material.hpp"
 #include "kernels/layout.hpp"
-#include "kernels/remeshed/stage/relaxation.hpp"
+#include "kernels/networks.hpp"
 
 /// Arguments of the kernels of the total Lagrangian method. Particles are the slots of a lattice in
 /// the undeformed body. A stress point is the middle of a cell; its slot is the cell's lowest
@@ -73,24 +73,6 @@ struct CellViscosity {
   T* next_volume_change = nullptr;            ///< [slot] J - 1 at this stress
 };
 
-/// Components of the tensors of a network: xx, xy, yy, zz in plane strain, else symmetric_index.
-template <int D>
-inline constexpr int network_components = D == 2 ? 4 : 6;
-
-/// The networks of (TL.24) at the stress points of a body; a body without Prony terms of the shear
-/// modulus has none.
-template <class T>
-struct CellNetworks {
-  int terms = 0;
-  const Relaxation<T>* relaxation =
-      nullptr;               ///< [term], since the last stress evaluation; for a modulus of 1
-  const T* ratio = nullptr;  ///< [term] g_i over the share that does not relax
-  /// [tensor * network_components + component][slot] at the last stress: A_i - I for each term,
-  /// then J^(2/3) C^-1 - I.
-  const T* const* tensor = nullptr;
-  T* const* next_tensor = nullptr;  ///< the same at this stress
-};
-
 /// Computes the stress of the cells around the particles of a block, (TL.3)-(TL.6), and moves these
 /// particles, (TL.5), (TL.8). Reads `displacement`, `fraction` and the viscosity also in
 /// neighbouring blocks; writes arrays that no block reads.
@@ -110,7 +92,7 @@ struct Motion {
   T time_step;
   HyperelasticMaterial<T> material;  ///< coefficients without the share that relaxes, (TL.24)
   CellViscosity<T> viscosity;
-  CellNetworks<T> networks;
+  Networks<T> networks;
   const T* fraction;  ///< [slot] share of the cell that the body fills; 0 in fitted cells
   /// [slot] S0 of (TL.14) at the stress points [Pa]; null: none.
   std::array<const T*, symmetric_components<D>> initial_stress;

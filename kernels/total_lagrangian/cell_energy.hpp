@@ -33,18 +33,9 @@ inline P volumetric_stiffness(const Material<Scalar<P>>& material, const P& volu
 
 /// Arguments of the energy of a cell.
 template <class P, int D>
-struct CellState {
-  P f[D * D], cof[D * D], volume_ratio;
+struct CellState : Deformation<P, D> {
   P hourglass;    ///< Q of (TL.6)
   P by_f[D * D];  ///< half the derivative of F:F + Q with respect to F
-
-  /// Computes the other members from `f` and `hourglass`.
-  void complete() {
-    cofactor(f, cof);
-    volume_ratio = f[0] * cof[0];
-#pragma GCC unroll 3
-    for (int j = 1; j < D; ++j) volume_ratio = fused(f[j], cof[j], volume_ratio);
-  }
 };
 
 /// Derivatives of the energy per undeformed volume of the cell.

@@ -84,7 +84,7 @@ inline void fitted_state(const CellGroup<P, D>& group, const HourglassWeights<P,
   }
   std::copy_n(state.f, D * D, state.by_f);
   state.hourglass = hourglass_squares<P, D>(weights, state.f, mode, state.by_f);
-  state.complete();
+  state.find_cofactor();
 }
 
 /// Adds the initial stress (TL.14).
@@ -155,7 +155,10 @@ void evaluate_fitted_group(const Motion<Scalar<P>, D>& block, const CellGroup<P,
   const P pressure = relax_pressures<P, D>(block.viscosity, state, slots);
   CellStress<P, D> stress = cell_stress<law, P, D>(block.material, state, pressure);
   P networks(T(0));
-  if constexpr (relaxes) networks = relax_networks<P, D>(block, state, slots, stress);
+  if constexpr (relaxes) {
+    networks = relax_networks<P, D>(block.networks, block.material.polynomial, block.examine, state,
+                                    slots, stress.piola);
+  }
   add_fitted_prestress<P, D>(block, group, state, stress);
   add_fitted_forces<P, D>(block, group, slope, inverse, mode, start, stress);
   if (!block.examine) return;

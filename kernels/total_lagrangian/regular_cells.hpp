@@ -46,7 +46,7 @@ inline void regular_state(const HourglassWeights<P, D>& weights, const P& slope,
   std::copy_n(state.f, D * D, state.by_f);
   const P squares = hourglass_squares<P, D>(weights, state.f, mode, state.by_f);
   state.hourglass = xsimd::select(inside, squares, zero);
-  state.complete();
+  state.find_cofactor();
 }
 
 /// Forces on the upper corners in x of a register of cells, which the next register completes.
@@ -146,7 +146,10 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
     const P pressure = relax_pressures<P, D>(block.viscosity, state, slots);
     CellStress<P, D> stress = cell_stress<law, P, D>(block.material, state, pressure);
     P networks(T(0));
-    if constexpr (relaxes) networks = relax_networks<P, D>(block, state, slots, stress);
+    if constexpr (relaxes) {
+      networks = relax_networks<P, D>(block.networks, block.material.polynomial, block.examine,
+                                      state, slots, stress.piola);
+    }
     if (block.initial_stress[0] != nullptr) {
       add_initial_stress<P, D>(block.initial_stress, slot, state.f, stress.piola);
     }

@@ -2,18 +2,9 @@
 
 #include "kernels/total_lagrangian/cell_energy.hpp"
 
-/// Relaxation at the stress points of a register of cells: pressures (RP.10) and networks (TL.24).
-/// `Slots` reads and writes the values of these cells: regular cells are contiguous, fitted cells
-/// are not.
+/// Relaxation of the pressures at the stress points of a register of cells, (RP.10). `Slots` reads
+/// and writes the values of these cells: regular cells are contiguous, fitted cells are not.
 namespace pliant::kernels {
-
-/// One term, advanced by (RP.22).
-template <class P>
-inline P relax_term(const Relaxation<Scalar<P>>& term, const P& before, const P& start,
-                    const P& end) {
-  const P driven = fused(P(term.start), start, P(term.end) * end);
-  return fused(P(term.decay), before, driven);
-}
 
 /// The sum of the p_i, advanced by (RP.22).
 template <class P, int D, class Slots>
@@ -31,123 +22,6 @@ template <class P, int D, class Slots>
   }
   slots.put(viscosity.next_volume_change, end, start);
   return sum;
-}
-
-/// J^(2/3) C^-1 - I, with `scale` = J^(-2/3).
-template <class P, int D>
-inline void inverse_strain(const CellState<P, D>& state, const P& scale,
-                           P (&strain)[network_components<D>]) {
-  const P factor = scale * scale, one(Scalar<P>(1));
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) {
-#pragma GCC unroll 3
-    for (int j = i; j < D; ++j) {
-      P sum = state.cof[i] * state.cof[j];
-#pragma GCC unroll 3
-      for (int k = 1; k < D; ++k) sum = fused(state.cof[D * k + i], state.cof[D * k + j], sum);
-      strain[symmetric_index<D>(i, j)] = i == j ? factor * sum - one : factor * sum;
-    }
-  }
-  if constexpr (D == 2) strain[3] = factor * state.volume_ratio * state.volume_ratio - one;
-}
-
-/// One network in its present state.
-template <class P, int D>
-struct Network {
-  using T = Scalar<P>;
-  P fa[D * D];  ///< F A
-  P squares;    ///< C : A
-  P across;     ///< A_zz in plane strain
-  P scale;      ///< J^(-2/3)
-  P excess;     ///< J^(-2/3) C : A - 3
-
-  /// `a` is A - I.
-  Network(const CellState<P, D>& state, const P& isochoric, const P (&a)[network_components<D>])
-      : scale(isochoric) {
-    across = D == 2 ? a[network_components<D> - 1] + P(T(1)) : P(T(0));
-    squares = across;
-#pragma GCC unroll 3
-    for (int i = 0; i < D; ++i) {
-#pragma GCC unroll 3
-      for (int j = 0; j < D; ++j) {
-        P sum = state.f[D * i + j];
-#pragma GCC unroll 3
-        for (int k = 0; k < D; ++k) {
-          sum = fused(state.f[D * i + k], a[symmetric_index<D>(k, j)], sum);
-        }
-        fa[D * i + j] = sum;
-        squares = fused(sum, state.f[D * i + j], squares);
-      }
-    }
-    excess = fused(scale, squares, P(T(-3)));
-  }
-
-  /// Adds the stress of the network: `ratio` times that of `material` at I1* - 3 = excess.
-  void add_stress(const Material<T>& material, T ratio, const CellState<P, D>& state,
-                  P (&piola)[D * D]) const {
-    P first, second;
-    energy_derivatives(material, excess, first, second);
-    const P shear = P(2 * ratio) * first * scale;
-    const P mean = shear * squares * P(T(1) / T(3)) / state.volume_ratio;
-#pragma GCC unroll 9
-    for (int c = 0; c < D * D; ++c) {
-      piola[c] = fused_minus(mean, state.cof[c], fused(shear, fa[c], piola[c]));
-    }
-  }
-
-  /// The contribution of the network to the bound of c^2, like (RP.12).
-  P wave_speed2(const Material<T>& material, T ratio, const CellState<P, D>& state) const {
-    IsochoricStrain<P, D> strain;
-    strain.volume_ratio = state.volume_ratio;
-    strain.excess = excess;
-    const P mean = (excess + P(T(3))) * P(T(1) / T(3));
-#pragma GCC unroll 3
-    for (int i = 0; i < D; ++i) {
-#pragma GCC unroll 3
-      for (int j = i; j < D; ++j) {
-        P b = fa[D * i] * state.f[D * j];
-#pragma GCC unroll 3
-        for (int k = 1; k < D; ++k) b = fused(fa[D * i + k], state.f[D * j + k], b);
-        strain.deviator[symmetric_index<D>(i, j)] = i == j ? scale * b - mean : scale * b;
-      }
-    }
-    strain.deviator_zz = scale * across - mean;
-    const P density = P(material.density) / state.volume_ratio;
-    const P by_volume = P(T(2) / material.compressibility) * state.volume_ratio / density;
-    return P(ratio) * (polynomial_wave_speed2<P, D>(material, strain, density) - by_volume);
-  }
-};
-
-/// Advances the networks to the present by (RP.22) and adds their stress. Returns their
-/// contribution to c^2 of the cells; 0 unless the block is examined.
-template <class P, int D, class Slots>
-inline P relax_networks(const Motion<Scalar<P>, D>& block, const CellState<P, D>& state,
-                        const Slots& slots, CellStress<P, D>& stress) {
-  using T = Scalar<P>;
-  constexpr int components = network_components<D>;
-  const CellNetworks<T>& networks = block.networks;
-  P speed2(T(0));
-  const P root = inverse_cube_root(state.volume_ratio), scale = root * root;
-  const int strain = networks.terms * components;
-  P start[components], end[components];
-  inverse_strain<P, D>(state, scale, end);
-  for (int c = 0; c < components; ++c) {
-    start[c] = slots.get(networks.tensor[strain + c]);
-    slots.put(networks.next_tensor[strain + c], end[c], start[c]);
-  }
-  for (int i = 0; i < networks.terms; ++i) {
-    P a[components];
-    for (int c = 0; c < components; ++c) {
-      const P before = slots.get(networks.tensor[i * components + c]);
-      a[c] = relax_term(networks.relaxation[i], before, start[c], end[c]);
-      slots.put(networks.next_tensor[i * components + c], a[c], before);
-    }
-    const Network<P, D> network(state, scale, a);
-    network.add_stress(block.material.polynomial, networks.ratio[i], state, stress.piola);
-    if (!block.examine) continue;
-    speed2 = speed2 + network.wave_speed2(block.material.polynomial, networks.ratio[i], state);
-  }
-  return speed2;
 }
 
 }  // namespace pliant::kernels

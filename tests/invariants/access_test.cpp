@@ -236,7 +236,7 @@ stiffness_damping = 1e-4
 [[body]]
 name = "block"
 geometry = { shape = "box", lower = [0, 0, 0], upper = [1, 1, 1] }
-material = { model = "neo_hookean", youngs_modulus = 100, poissons_ratio = 0.3, density = 2 }
+material = { model = "reduced_polynomial", coefficients = [20], compressibility = 0.02, density = 2, prony_shear = { ratios = [0.5], times = [0.01] } }
 velocity = ["sin(3*y)", 0, "x"]
 [[boundary]]
 name = "floor"

@@ -57,7 +57,7 @@ void refuse_prony_shear(const Check& check) {
     check.problems.add(
         check.place("body", i, "material"),
         fmt::format("method \"{}\" has no materials with prony_shear", check.a_case.method),
-        "leave it out, or take method = \"total_lagrangian\"");
+        "leave it out, or take method = \"total_lagrangian\" or \"point_based\"");
   }
 }
 

@@ -73,7 +73,8 @@ void material_keys(Visitor& visit, MaterialCase& material) {
                "Prony series of the bulk modulus, see prony; without it the material is elastic",
            .example = "{ ratios = [0.3, 0.2], times = [0.1, 1] }"});
     visit("prony_shear", material.prony_shear,
-          {.meaning = "Prony series of the shear modulus (TL.24), see prony, for total_lagrangian",
+          {.meaning = "Prony series of the shear modulus (TL.24), see prony, for total_lagrangian "
+                      "and point_based",
            .example = "{ ratios = [0.5], times = [2] }"});
   }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/method/hyperelastic.hpp"
 #include "engine/point_based/bonds/candidates.hpp"
 #include "engine/point_based/bonds/nearest_nodes.hpp"
 #include "engine/point_based/bonds/node_frequency.hpp"
@@ -203,7 +204,8 @@ void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std
   const NodeOperator<D> made = node_operator<D>(bonds, chosen.weight);
   const double volume = choice.elastic_volumes[body.number[slot]];
   set_rank(made, static_cast<int>(&block - body.blocks.data()), slot, volume, body);
-  const double mu = body.material.shear_modulus, lambda = body.material.lame_modulus;
+  const double mu = long_term_share(body.prony_shear) * body.material.shear_modulus;
+  const double lambda = body.material.lame_modulus;
   const double modulus = std::min(lambda, stiff_lame_over_shear * mu) + 2 * mu;
   body.stiffness[slot] =
       made.rank == D ? static_cast<T>(choice.alpha * modulus / made.trace() * volume) : T(0);

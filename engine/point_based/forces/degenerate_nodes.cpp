@@ -1,14 +1,15 @@
 #include "engine/point_based/forces/degenerate_nodes.hpp"
 
+#include "engine/method/hyperelastic.hpp"
+
 namespace pliant::point_based {
 
 namespace {
 
 /// lambda of Hooke's law in `rank` of D directions that is free in the others: plane stress or a
 /// bar in 3D, a bar in plane strain in 2D.
-template <class T, int D>
-double reduced_lame_modulus(const kernels::HyperelasticMaterial<T>& material, int rank) {
-  const double mu = material.shear_modulus, lambda = material.lame_modulus;
+template <int D>
+double reduced_lame_modulus(double mu, double lambda, int rank) {
   if (D - rank == 1) return 2 * lambda * mu / (lambda + 2 * mu);
   return mu * lambda / (lambda + mu);  // E - 2 mu
 }
@@ -38,8 +39,8 @@ DegenerateState<D> degenerate_state(const Body<T, D>& body, const NodeBlock& blo
       if (r == s) trace += c / 2;
     }
   }
-  const double mu = body.material.shear_modulus;
-  const double lambda = reduced_lame_modulus<T, D>(body.material, node.rank);
+  const double mu = long_term_share(body.prony_shear) * body.material.shear_modulus;
+  const double lambda = reduced_lame_modulus<D>(mu, body.material.lame_modulus, node.rank);
   DegenerateState<D> state;
   state.energy = node.volume * (lambda / 2 * trace * trace + mu * square);
   for (int i = 0; i < D; ++i) {

@@ -4,6 +4,7 @@
 
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
+#include "engine/method/networks.hpp"
 #include "engine/point_based/forces/degenerate_nodes.hpp"
 #include "kernels/with_scalar.hpp"
 
@@ -31,6 +32,17 @@ const DegenerateNode<D>* degenerate_node(const Body<T, D>& body, const NodeBlock
 template <int D>
 auto matrix_of(const std::array<double, D * D>& f) {
   return Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>(f.data());
+}
+
+/// The stress of the networks of a node, (TL.24).
+template <class T, int D>
+NetworkStress<D> networks_at(const Body<T, D>& body, std::int64_t slot,
+                             const std::array<double, D * D>& f) {
+  if (body.network.empty()) return {};
+  Eigen::Matrix3d full = Eigen::Matrix3d::Identity();
+  full.topLeftCorner<D, D>() = matrix_of<D>(f);
+  return network_stress<T, D>(kernels::with_scalar<double>(body.material).polynomial,
+                              {body.prony_shear, body.network, body.memory_age}, slot, full);
 }
 
 template <class T, int D>
@@ -86,7 +98,7 @@ double strain_energy(const Body<T, D>& body, const NodeBlock& block, std::int64_
                      const std::array<double, D * D>& f) {
   const DegenerateNode<D>* const node = degenerate_node(body, block, slot);
   if (node != nullptr) return degenerate_state(body, block, *node).energy;
-  double energy = strain_energy_density(body, f);
+  double energy = strain_energy_density(body, f) + networks_at(body, slot, f).energy;
   if (body.is_prestressed()) energy += lasting_stress(body, slot, f, 1).energy;
   return body.volume[slot] * energy;
 }
@@ -149,7 +161,10 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
   const SharedPressure<D> shared = shared_pressure(body, block, slot, state.gradient);
   state.energy += shared.energy;
   state.pressure += shared.pressure;
-  for (std::size_t c = 0; c < state.stress.size(); ++c) state.stress[c] += shared.stress[c];
+  const NetworkStress<D> networks = networks_at(body, slot, state.gradient);
+  for (std::size_t c = 0; c < state.stress.size(); ++c) {
+    state.stress[c] += shared.stress[c] + networks.stress[c];
+  }
   if (body.is_prestressed()) {
     const ConstantStress<D> lasting =
         lasting_stress(body, slot, state.gradient, state.volume_ratio);

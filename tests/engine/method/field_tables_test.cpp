@@ -138,8 +138,8 @@ density = 1
 constexpr auto relaxing = "prony = { ratios = [0.5], times = [0.1] }\n";
 
 std::unique_ptr<Solver> stepped_remeshed() { return stepped("remeshed", "", relaxing); }
+const std::string in_shear = "prony_shear = { ratios = [0.5], times = [0.1] }\n";
 std::unique_ptr<Solver> stepped_total_lagrangian() {
-  const std::string in_shear = "prony_shear = { ratios = [0.5], times = [0.1] }\n";
   return stepped("total_lagrangian", "total_lagrangian = { damping = \"adaptive\" }",
                  relaxing + in_shear);
 }
@@ -147,7 +147,7 @@ std::unique_ptr<Solver> stepped_total_lagrangian() {
 std::unique_ptr<Solver> stepped_point_based() {
   return stepped("point_based",
                  "point_based = { damping = \"adaptive\", stiffness_damping = 1e-4 }",
-                 R"toml([[cut]]
+                 in_shear + R"toml([[cut]]
 name = "slit"
 from = [0.5, 1.1]
 path = [0, "-t"]
