@@ -7,6 +7,7 @@
 #include "engine/case/blade_track.hpp"
 #include "engine/case/checks/check_motion.hpp"
 #include "engine/case/checks/thickness.hpp"
+#include "engine/geometry/signed_distance.hpp"
 #include "engine/point_based/cutting/cut_resolution.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/nodes/place_nodes.hpp"
@@ -97,12 +98,31 @@ bool has_forces_on_single_nodes(const Case& a_case) {
                              [](const BodyCase& body) { return body.stress.has_value(); });
 }
 
+// Measured for squares between plates, docs/decisions/0043.
+void warn_of_squeezed_lattices(const Case& a_case, std::vector<std::string>& warnings) {
+  constexpr double least_ratio = 0.48, enough_across = 24, error_of_one_across = 1;
+  if (a_case.dimension == 3 || parameters_of(a_case).nodes != NodePlacement::lattice) return;
+  for (const BodyCase& body : a_case.bodies) {
+    const Box<3> box = bounding_box(body.geometry);
+    const double size = std::min(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+    const double across = size / a_case.discretisation.spacing;
+    const double ratio = poissons_ratio(body);
+    if (has_elements(body.geometry) || across > enough_across || ratio < least_ratio) continue;
+    warnings.push_back(fmt::format(
+        "body `{}` has {:.2g} spacings across, and Poisson's ratio is {:.3g}: where it is "
+        "squeezed, forces are {:.0f} % too large or more; use a finer spacing, "
+        "point_based.nodes = \"octree\", or method = \"total_lagrangian\"",
+        body.name, across, ratio, 100 * error_of_one_across / across));
+  }
+}
+
 // Measured for the cantilever of docs/validation/robustness.py.
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr ThinBodyError errors[] = {{1.5, "two layers of nodes hardly resist bending"},
                                              {2, "bending deviates by 5 %"}};
   warn_of_thin_bodies(a_case, errors, warnings);
   warn_of_coarse_cuts(a_case, warnings);
+  warn_of_squeezed_lattices(a_case, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, has_elements, warnings);
   const bool have_elements = std::ranges::any_of(
       a_case.bodies, [](const BodyCase& body) { return has_elements(body.geometry); });

@@ -195,7 +195,7 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
     balance_bonds(nodes.cloud, body, boundaries, choice);
   }
   make_bonds(choice, body);
-  if (!choice.is_lattice()) form_groups(body);
+  form_groups(choice.is_lattice(), body);
   if (!choice.is_lattice() || has_two_layers<D>(source.geometry, settings)) {
     choice.joint_frequency_factor = joint_frequency_factor(body);
     body.for_each_node([&](std::int64_t slot) {

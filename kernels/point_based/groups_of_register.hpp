@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 #include "kernels/dilatation.hpp"
 #include "kernels/point_based/arguments.hpp"
@@ -12,32 +14,48 @@ namespace pliant::kernels {
 template <class P, int D>
 inline constexpr int registers_of_groups = std::max(1, slots_per_group<D> / lanes<P>);
 
-/// (lambda - 3/2 mu) (theta_g - theta) of the nodes from `slot` on; 0 for nodes without a group.
-/// `h` is F - I.
+/// The value of the lane whose number differs in the bits of `distance`.
+template <int distance, class P, std::size_t... lane>
+inline P partner(const P& x, std::index_sequence<lane...>) {
+  using Index = xsimd::batch<xsimd::as_unsigned_integer_t<Scalar<P>>, typename P::arch_type>;
+  return xsimd::swizzle(x, xsimd::batch_constant<Index, (lane ^ distance)...>());
+}
+
+/// In each lane, the sum over the lanes of its group.
+template <class P, int D>
+inline void add_over_groups(P (&x)[registers_of_groups<P, D>]) {
+  constexpr auto all = std::make_index_sequence<lanes<P>>();
+  for (P& of_register : x) {
+    of_register = of_register + partner<1>(of_register, all);
+    if constexpr (D == 3 && lanes<P> >= 4) of_register = of_register + partner<2>(of_register, all);
+  }
+  if constexpr (registers_of_groups<P, D> == 2) x[0] = x[1] = x[0] + x[1];
+}
+
+/// The shared modulus times theta_g - theta of the nodes from `slot` on; 0 for nodes without a
+/// group. `h` is F - I.
 template <ElasticLaw law, class P, int D>
 inline void shared_pressure(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
                             const P (&h)[registers_of_groups<P, D>][D * D],
                             P (&shared)[registers_of_groups<P, D>]) {
   using T = Scalar<P>;
-  constexpr int registers = registers_of_groups<P, D>, count = registers * lanes<P>;
-  alignas(64) T theta[count];
+  constexpr int registers = registers_of_groups<P, D>;
+  P theta[registers], share[registers], mean[registers];
 #pragma GCC unroll 2
   for (int r = 0; r < registers; ++r) {
     P f[D * D];
 #pragma GCC unroll 9
     for (int c = 0; c < D * D; ++c) f[c] = c % (D + 1) == 0 ? h[r][c] + P(T(1)) : h[r][c];
-    dilatation<law, P, D>(f).store_aligned(theta + r * lanes<P>);
+    theta[r] = dilatation<law, P, D>(f);
+    share[r] = load<P>(block.share + slot + r * lanes<P>);
+    mean[r] = share[r] * theta[r];
   }
-  const T* const share = block.share + slot;
-  for (int first = 0; first < count; first += slots_per_group<D>) {
-    T mean = 0;
-    for (int l = first; l < first + slots_per_group<D>; ++l) mean += share[l] * theta[l];
-    for (int l = first; l < first + slots_per_group<D>; ++l) {
-      theta[l] = share[l] > 0 ? block.shared_modulus * (mean - theta[l]) : T(0);
-    }
-  }
+  add_over_groups<P, D>(mean);
 #pragma GCC unroll 2
-  for (int r = 0; r < registers; ++r) shared[r] = P::load_aligned(theta + r * lanes<P>);
+  for (int r = 0; r < registers; ++r) {
+    const P difference = P(block.shared_modulus) * (mean[r] - theta[r]);
+    shared[r] = xsimd::select(share[r] > P(T(0)), difference, P(T(0)));
+  }
 }
 
 }  // namespace pliant::kernels

@@ -10,6 +10,9 @@ namespace pliant::point_based {
 
 namespace {
 
+/// Largest lambda/mu that nodes of a lattice have for themselves: that of nu = 0.4.
+constexpr double own_lame_over_shear_on_lattices = 4;
+
 template <int D>
 using Gradient = std::array<double, D * D>;
 
@@ -59,9 +62,10 @@ std::pair<std::int64_t, std::int64_t> longest_run(const Body<T, D>& body, const 
 }  // namespace
 
 template <class T, int D>
-void form_groups(Body<T, D>& body) {
-  const double modulus =
-      body.material.lame_modulus - stiff_lame_over_shear * body.material.shear_modulus;
+void form_groups(bool is_lattice, Body<T, D>& body) {
+  if (is_lattice && D == 2) return;
+  const double own = is_lattice ? own_lame_over_shear_on_lattices : stiff_lame_over_shear;
+  const double modulus = body.material.lame_modulus - own * body.material.shear_modulus;
   if (!(modulus > 0)) return;
   body.shared_modulus = static_cast<T>(modulus);
   body.share.grow(body.slots, T(0));
@@ -117,10 +121,10 @@ double dissolve_group_gently(std::int64_t slot, Body<T, D>& body,
   return added;
 }
 
-template void form_groups(Body<double, 2>&);
-template void form_groups(Body<double, 3>&);
-template void form_groups(Body<float, 2>&);
-template void form_groups(Body<float, 3>&);
+template void form_groups(bool, Body<double, 2>&);
+template void form_groups(bool, Body<double, 3>&);
+template void form_groups(bool, Body<float, 2>&);
+template void form_groups(bool, Body<float, 3>&);
 template void dissolve_group(std::int64_t, Body<double, 2>&, std::vector<std::int32_t>&);
 template void dissolve_group(std::int64_t, Body<double, 3>&, std::vector<std::int32_t>&);
 template void dissolve_group(std::int64_t, Body<float, 2>&, std::vector<std::int32_t>&);

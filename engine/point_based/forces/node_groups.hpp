@@ -4,13 +4,15 @@
 
 #include "engine/point_based/body.hpp"
 
-/// Groups of irregular nodes that share the stiff part of their pressure, (PB.60). Without groups,
-/// such nodes resist even deformations that preserve the volume.
+/// Groups of nodes that share the stiff part of their pressure, (PB.60). Without groups, irregular
+/// nodes, and those of a lattice that is squeezed, resist even deformations that preserve the
+/// volume.
 namespace pliant::point_based {
 
-/// Forms the groups of a body with bonds, if its material has a stiff part.
+/// Forms the groups of a body with bonds, if its material has a stiff part. In 2D the nodes of a
+/// lattice form none, docs/decisions/0043.
 template <class T, int D>
-void form_groups(Body<T, D>& body);
+void form_groups(bool is_lattice, Body<T, D>& body);
 
 /// Dissolves the group of a node, if it has one, and appends the slots of the group to `members`.
 template <class T, int D>

@@ -90,9 +90,9 @@ TEST(viscosity_of_points, networks_that_last_move_a_body_as_its_elastic_material
     return found;
   };
   const std::vector<double> elastic = moved("");
-  const std::vector<double> lasting =
-      moved("prony_shear = { ratios = [0.3, 0.4], times = [1e12, 1e13], moduli = "
-            "\"instantaneous\" }\n");
+  const std::vector<double> lasting = moved(
+      "prony_shear = { ratios = [0.3, 0.4], times = [1e12, 1e13], moduli = "
+      "\"instantaneous\" }\n");
   ASSERT_EQ(lasting.size(), elastic.size());
   EXPECT_GT(elastic[0], 0.01);
   for (std::size_t i = 0; i < elastic.size(); ++i) EXPECT_NEAR(lasting[i], elastic[i], 1e-9) << i;
