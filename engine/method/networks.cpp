@@ -16,8 +16,9 @@ Eigen::Matrix3d tensor_at(const std::vector<Buffer<T>>& arrays, std::size_t firs
                           std::int64_t slot) {
   Eigen::Matrix3d full = Eigen::Matrix3d::Zero();
   for (int k = 0; k < D; ++k) {
-    for (int l = 0; l < D; ++l)
+    for (int l = 0; l < D; ++l) {
       full(k, l) = arrays[first + kernels::symmetric_index<D>(k, l)][slot];
+    }
   }
   if (D == 2) full(2, 2) = arrays[first + kernels::network_components<D> - 1][slot];
   return full;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/method/hyperelastic.hpp"
 #include "engine/point_based/bonds/bonds.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 
@@ -65,7 +66,8 @@ template <class T, int D>
 void form_groups(bool is_lattice, Body<T, D>& body) {
   if (is_lattice && D == 2) return;
   const double own = is_lattice ? own_lame_over_shear_on_lattices : stiff_lame_over_shear;
-  const double modulus = body.material.lame_modulus - own * body.material.shear_modulus;
+  const double mu = long_term_share(body.prony_shear) * body.material.shear_modulus;
+  const double modulus = body.material.lame_modulus - own * mu;
   if (!(modulus > 0)) return;
   body.shared_modulus = static_cast<T>(modulus);
   body.share.grow(body.slots, T(0));
