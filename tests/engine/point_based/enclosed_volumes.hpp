@@ -37,6 +37,7 @@ std::vector<double> volumes_of(const point_based::SurfaceVertices& vertices) {
     volume[find(vertices.vertex[D * p])] += corners.determinant() / (D == 2 ? 2 : 6);
   }
   std::vector<double> volumes;
+  volumes.reserve(volume.size());
   for (const auto& [part, of_part] : volume) volumes.push_back(of_part);
   std::sort(volumes.begin(), volumes.end());
   return volumes;
