@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "kernels/dilatation.hpp"
-#include "kernels/networks.hpp"
 #include "kernels/point_based/bonds_of_register.hpp"
 #include "kernels/point_based/collect_points.hpp"
 #include "kernels/point_based/groups_of_register.hpp"
+#include "kernels/point_based/networks_of_register.hpp"
 #include "kernels/point_based/point_lanes.hpp"
 #include "kernels/stiffening.hpp"
 
@@ -40,48 +40,6 @@ inline void apply_kept(const PointForces<Scalar<P>, D>& block, std::int64_t slot
     f[c] = P(T(0));
   }
   add_product<P, D>(fit, kept, f);
-}
-
-/// The values of the nodes of a register, from `slot` on.
-template <class P>
-struct NodeSlots {
-  using T = Scalar<P>;
-  std::int64_t slot;
-
-  P get(const T* from) const { return load<P>(from + slot); }
-  void put(T* to, const P& value, const P&) const { value.store_unaligned(to + slot); }
-};
-
-/// The same for states that must stay as they are.
-template <class P>
-struct FixedNodeSlots : NodeSlots<P> {
-  void put(Scalar<P>*, const P&, const P&) const {}
-};
-
-/// Advances the networks of the nodes from `slot` on, (TL.24), and adds their stress.
-template <class P, int D>
-[[gnu::noinline]] void add_networks(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
-                                    const P (&f)[D * D], P (&piola)[D * D]) {
-  Deformation<P, D> state;
-  std::copy_n(f, D * D, state.f);
-  state.find_cofactor();
-  relax_networks<P, D>(block.networks, block.material.polynomial, false, state, NodeSlots<P>{slot},
-                       piola);
-}
-
-/// What the networks add to rho0 c_X^2 of (PB.12).
-template <class P, int D>
-inline P network_modulus(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
-                         const P (&f)[D * D]) {
-  Deformation<P, D> state;
-  std::copy_n(f, D * D, state.f);
-  state.find_cofactor();
-  P unused[D * D];
-  for (P& component : unused) component = P(Scalar<P>(0));
-  const P speed2 = relax_networks<P, D>(block.networks, block.material.polynomial, true, state,
-                                        FixedNodeSlots<P>{{slot}}, unused);
-  return P(block.material.density) * speed2 * norm2_of<P, D>(state.cof) /
-         (state.volume_ratio * state.volume_ratio);
 }
 
 /// B = V (P - kappa (F - I) A) of (PB.5), plus the viscous stress (PB.9); adds pressure, (PB.11).
