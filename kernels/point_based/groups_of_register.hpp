@@ -14,6 +14,10 @@ namespace pliant::kernels {
 template <class P, int D>
 inline constexpr int registers_of_groups = std::max(1, slots_per_group<D> / lanes<P>);
 
+/// One value of each node of whole groups.
+template <class P, int D>
+using OverGroups = P[registers_of_groups<P, D>];
+
 /// The value of the lane whose number differs in the bits of `distance`.
 template <int distance, class P, std::size_t... lane>
 inline P partner(const P& x, std::index_sequence<lane...>) {
@@ -23,7 +27,7 @@ inline P partner(const P& x, std::index_sequence<lane...>) {
 
 /// In each lane, the sum over the lanes of its group.
 template <class P, int D>
-inline void add_over_groups(P (&x)[registers_of_groups<P, D>]) {
+inline void add_over_groups(OverGroups<P, D>& x) {
   constexpr auto all = std::make_index_sequence<lanes<P>>();
   for (P& of_register : x) {
     of_register = of_register + partner<1>(of_register, all);
@@ -37,10 +41,10 @@ inline void add_over_groups(P (&x)[registers_of_groups<P, D>]) {
 template <ElasticLaw law, class P, int D>
 inline void shared_pressure(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
                             const P (&h)[registers_of_groups<P, D>][D * D],
-                            P (&shared)[registers_of_groups<P, D>]) {
+                            OverGroups<P, D>& shared) {
   using T = Scalar<P>;
   constexpr int registers = registers_of_groups<P, D>;
-  P theta[registers], share[registers], mean[registers];
+  OverGroups<P, D> theta, share, mean;
 #pragma GCC unroll 2
   for (int r = 0; r < registers; ++r) {
     P f[D * D];
