@@ -230,6 +230,11 @@ bool Boundaries<D>::have_tractions() const {
 }
 
 template <int D>
+bool Boundaries<D>::have_loads_by_place() const {
+  return std::ranges::any_of(pressures, &SurfacePressure<D>::depends_on_place);
+}
+
+template <int D>
 bool Boundaries<D>::have_attached_walls() const {
   return std::ranges::any_of(walls, [](const Wall<D>& wall) { return wall.is_attached(); });
 }

@@ -84,6 +84,8 @@ class SurfacePressure {
 
   bool is_traction() const { return is_traction_; }
   BoundaryCase::LoadedArea area() const { return area_; }
+  /// Whether the prescribed load differs from place to place.
+  bool depends_on_place() const { return !is_uniform_; }
   /// Whether it depends only on time.
   bool is_uniform() const { return is_uniform_ || set_value_; }
   /// [Pa]; 0 for a pressure
@@ -108,6 +110,7 @@ struct Boundaries final : Loads {
 
   bool have_contact() const;
   bool have_tractions() const;
+  bool have_loads_by_place() const;
   /// Whether a load, or -1 for none, is a traction.
   bool is_traction(int load) const { return load >= 0 && pressures[load].is_traction(); }
   /// Whether a load is a pressure that depends only on time.

@@ -30,12 +30,15 @@ struct Facet {
   bool free;  ///< not on a wall
 };
 
+inline constexpr int whole_facet = -1;
+
 /// The part of a facet on which a load acts, (TL.29).
 template <int D>
 struct SurfacePatch {
   int facet;
   double share;  ///< share of the facet's area, or of its area vector for a pressure
   int pressure;
+  int corner;  ///< of which it is the share in the facet, (PB.67), or `whole_facet`
   /// For a pressure on only some faces of those that the facet represents: the rest of the loaded
   /// area vector per facet area, as components along the facet's sides from its first corner [m].
   std::array<double, D - 1> aside = {};

@@ -78,10 +78,10 @@ Point<D> BoundaryForces<T, D>::force_on(const Body<T, D>& body, std::size_t inde
   const SurfacePressure<D>& load = state_.boundaries.pressures[patch.pressure];
   const auto x = corners(body, body.facets[patch.facet], load.area());
   const Point<D> area = area_vector<D>(x);
-  Point<D> middle = {}, force;
-  for (const Point<D>& corner : x) {
-    for (int a = 0; a < D; ++a) middle[a] += corner[a] / D;
-  }
+  const Point<D> middle = patch.corner == whole_facet
+                              ? undeformed::middle_of<D>(x)
+                              : undeformed::middle_of_share<D>(x, patch.corner);
+  Point<D> force;
   if (load.is_traction()) {
     const Point<D> traction = at_start_.traction_at(patch.pressure, middle);
     const double loaded = patch.share * norm<D>(area);

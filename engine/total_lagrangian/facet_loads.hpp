@@ -57,7 +57,8 @@ class FacetLoads {
     return std::max(linear, along);
   }
 
-  /// Adds a patch to the body for each load on its last facet, and appends its shares to `loaded`.
+  /// Adds patches to the body for each load on its last facet, and appends their shares to
+  /// `loaded`: one patch, or if the load depends on the place, one for each corner of the facet.
   void add(const PlacesInCell<D>& places, std::vector<LoadedFacet<D>>& loaded) {
     if (boundaries_.pressures.empty()) return;
     const Facet<D>& facet = body_.facets.back();
@@ -66,12 +67,15 @@ class FacetLoads {
     for (double& component : normal) component /= area;
     const std::vector<FaceOfFacet> faces = faces_of(facet, normal);
     for (int k = 0; k < static_cast<int>(boundaries_.pressures.size()); ++k) {
-      LoadOnFacet on_facet = load_on_facet(k, places, normal, faces);
-      if (on_facet.loaded.area == 0) continue;
-      for (double& component : on_facet.moment) component *= area;
-      loaded.push_back({static_cast<int>(body_.patches.size()), k, on_facet.weights,
-                        area * on_facet.loaded.area, on_facet.moment});
-      body_.patches.push_back(patch(k, on_facet.loaded, normal, area));
+      const bool varies = boundaries_.pressures[k].depends_on_place();
+      for (int corner = varies ? 0 : whole_facet; corner < (varies ? D : 0); ++corner) {
+        LoadOnFacet on_facet = load_on_facet(k, corner, places, normal, faces);
+        if (on_facet.loaded.area == 0) break;
+        for (double& component : on_facet.moment) component *= area;
+        loaded.push_back({static_cast<int>(body_.patches.size()), k, on_facet.weights,
+                          area * on_facet.loaded.area, on_facet.moment});
+        body_.patches.push_back(patch(k, corner, on_facet.loaded, normal, area));
+      }
     }
   }
 
@@ -84,8 +88,9 @@ class FacetLoads {
     Point<D> moment = {};              ///< integral of x over the loaded part, over the area [m]
   };
 
-  LoadOnFacet load_on_facet(int number, const PlacesInCell<D>& places, const Point<D>& normal,
-                            const std::vector<FaceOfFacet>& faces) const {
+  // The share of a corner counts each place by the linear shape function of that corner.
+  LoadOnFacet load_on_facet(int number, int corner, const PlacesInCell<D>& places,
+                            const Point<D>& normal, const std::vector<FaceOfFacet>& faces) const {
     const SurfacePressure<D>& pressure = boundaries_.pressures[number];
     const Facet<D>& facet = body_.facets.back();
     int count = 0, hit = 0;
@@ -94,8 +99,11 @@ class FacetLoads {
       ++count;
       const Point<D> x = place(facet, at);
       if (on_a_wall(x)) return;
-      const undeformed::LoadedPart<D> part = loaded_part(x, pressure, normal, faces);
+      undeformed::LoadedPart<D> part = loaded_part(x, pressure, normal, faces);
       if (part.area == 0) return;
+      const double of_corner = corner == whole_facet ? 1 : at[corner];
+      part.area *= of_corner;
+      for (double& component : part.vector) component *= of_corner;
       const double share = pressure.is_traction() ? part.area : norm<D>(part.vector);
       ++hit;
       sum.loaded.area += share;
@@ -112,7 +120,8 @@ class FacetLoads {
       const Point<D> out =
           pressure.is_traction() ? Point<D>{} : lever(sum.loaded.gap / hit, normal);
       for_each_gauss_point<D>([&](const Barycentric<D>& at, double weight) {
-        add_weights<D>(places, at, out, weight, sum.weights);
+        const double of_corner = corner == whole_facet ? 1 : at[corner];
+        add_weights<D>(places, at, out, of_corner * weight, sum.weights);
       });
     }
     sum.loaded.area /= count;
@@ -130,9 +139,10 @@ class FacetLoads {
   }
 
   // The patch of the last facet.
-  SurfacePatch<D> patch(int pressure, const undeformed::LoadedPart<D>& loaded,
+  SurfacePatch<D> patch(int pressure, int corner, const undeformed::LoadedPart<D>& loaded,
                         const Point<D>& normal, double area) const {
-    SurfacePatch<D> made = {static_cast<int>(body_.facets.size()) - 1, loaded.area, pressure};
+    SurfacePatch<D> made = {static_cast<int>(body_.facets.size()) - 1, loaded.area, pressure,
+                            corner};
     if (boundaries_.pressures[pressure].is_traction()) return made;
     made.share = dot<D>(loaded.vector, normal);
     Point<D> aside = loaded.vector;
@@ -140,9 +150,9 @@ class FacetLoads {
     if (dot<D>(aside, aside) < no_vector * no_vector) return made;
     // The sides of a sliver do not give directions in its plane.
     if (area < sliver * std::pow(body_.lattice.spacing, D - 1)) return made;
-    const auto& corner = body_.facets.back().vertex;
+    const auto& x = body_.facets.back().vertex;
     for (int i = 1; i < D; ++i) {
-      made.aside[i - 1] = dot<D>(aside, difference<D>(corner[i].start, corner[0].start));
+      made.aside[i - 1] = dot<D>(aside, difference<D>(x[i].start, x[0].start));
     }
     return made;
   }

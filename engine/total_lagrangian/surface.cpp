@@ -115,9 +115,10 @@ class SurfaceMaker {
     });
   }
 
-  // (TL.27): all facets with the same load get the same shares.
+  // (TL.27): all facets with the same uniform load get the same shares.
   void equalise_shares(const Cube<D>& cube) {
     for (int k = 0; k < static_cast<int>(boundaries_.pressures.size()); ++k) {
+      if (boundaries_.pressures[k].depends_on_place()) continue;
       double area = 0;
       PlaceVector<D> moment = PlaceVector<D>::Zero();
       for (const LoadedFacet<D>& facet : loaded_) {
@@ -130,6 +131,11 @@ class SurfaceMaker {
       for (LoadedFacet<D>& facet : loaded_) {
         if (facet.pressure == k) facet.weights = shares;
       }
+    }
+    for (LoadedFacet<D>& facet : loaded_) {
+      if (!boundaries_.pressures[facet.pressure].depends_on_place()) continue;
+      const Eigen::Map<const PlaceVector<D>> moment(facet.moment.data());
+      facet.weights = linear_shares<D>(cube, moment / facet.area);
     }
   }
 

@@ -77,6 +77,27 @@ struct Body {
 template <class T, int D>
 using Displacements = std::array<Buffer<T>, D> Body<T, D>::*;
 
+template <int D>
+Point<D> middle_of(const std::array<Point<D>, D>& x) {
+  Point<D> middle = {};
+  for (const Point<D>& corner : x) {
+    for (int a = 0; a < D; ++a) middle[a] += corner[a] / D;
+  }
+  return middle;
+}
+
+/// The middle of the share of corner v in a facet with a linear load, (PB.67): that of its linear
+/// shape function.
+template <int D>
+Point<D> middle_of_share(const std::array<Point<D>, D>& x, int v) {
+  Point<D> middle;
+  for (int a = 0; a < D; ++a) {
+    middle[a] = x[v][a] / (D + 1);
+    for (const Point<D>& corner : x) middle[a] += corner[a] / (D + 1);
+  }
+  return middle;
+}
+
 /// Normal of a segment or a triangle; its length is the area [m^(D-1)].
 template <int D>
 Point<D> area_vector(const std::array<Point<D>, D>& x) {

@@ -57,11 +57,8 @@ using Faces = std::vector<undeformed::FaceOfFacet<D>>;
 template <int D>
 Faces<D> faces_of(const BodySurface<D>& surface, const Corners<D>& corner, const Point<D>& normal) {
   if (surface.shape == nullptr) return {{normal}};
-  Point<D> middle = {};
-  for (const Point<D>& x : corner) {
-    for (int a = 0; a < D; ++a) middle[a] += x[a] / D;
-  }
-  return undeformed::faces_of_facet<D>(*surface.shape, middle, normal, surface.spacing);
+  return undeformed::faces_of_facet<D>(*surface.shape, undeformed::middle_of<D>(corner), normal,
+                                       surface.spacing);
 }
 
 /// The loaded part of a facet: a mean over the part of the surface that the facet represents,
@@ -89,8 +86,9 @@ undeformed::LoadedPart<D> loaded_part(const Boundaries<D>& boundaries,
 /// A load on the surface around a corner of a facet.
 template <int D>
 struct LoadAtCorner {
-  double size = 0;     ///< area [m^(D-1)]
-  Point<D> area = {};  ///< area vector [m^(D-1)]
+  double size = 0;      ///< area [m^(D-1)]
+  Point<D> place = {};  ///< middle of the share (PB.67) times the area [m^D]
+  Point<D> area = {};   ///< area vector [m^(D-1)]
   std::array<Point<D>, D> moment =
       {};  ///< [a][b] integral of x_a - X_a by area_b, X the corner [m^D]
 };
@@ -144,9 +142,13 @@ class NodesUnderLoad {
       for (double& component : loaded.vector) component /= whole;
     }
     std::array<LoadAtCorner<D>, D> loads;
-    for (LoadAtCorner<D>& load : loads) {
+    for (int v = 0; v < D; ++v) {
+      LoadAtCorner<D>& load = loads[v];
       load.size = loaded.area / D * whole;
-      for (int a = 0; a < D; ++a) load.area[a] = whole / D * loaded.vector[a];
+      for (int a = 0; a < D; ++a) {
+        load.area[a] = whole / D * loaded.vector[a];
+        load.place[a] = load.size * undeformed::middle_of_share<D>(x, v)[a];
+      }
     }
     return loads;
   }
@@ -160,10 +162,12 @@ class NodesUnderLoad {
       if (lies_on_a_wall<D>(boundaries_, part.middle, surface_.spacing)) continue;
       for (int v = 0; v < D; ++v) {
         LoadAtCorner<D>& load = loads[v];
-        load.size += part.at[v] * std::sqrt(dot<D>(part.area, part.area));
+        const double size = part.at[v] * std::sqrt(dot<D>(part.area, part.area));
+        load.size += size;
         for (int b = 0; b < D; ++b) {
           const double area = part.at[v] * part.area[b];
           load.area[b] += area;
+          load.place[b] += size * part.middle[b];
           for (int a = 0; a < D; ++a) load.moment[a][b] += (part.middle[a] - x[v][a]) * area;
         }
       }
@@ -172,19 +176,21 @@ class NodesUnderLoad {
   }
 
   void add(std::int32_t corner, const LoadAtCorner<D>& load) {
-    PressedNode<D>& nearest = node_in(surface_.node[corner]);
-    nearest.size += load.size;
-    for (int a = 0; a < D; ++a) nearest.middle[a] += load.size * surface_.start[corner][a];
-    if (load_.is_traction()) {
-      for (int a = 0; a < D; ++a) nearest.area[a] += load.area[a];
-      return;
-    }
+    if (load_.is_traction()) return give(surface_.node[corner], 1, load);
     for (const undeformed::Share& carrier : shares_of_corner(body_, corner)) {
-      PressedNode<D>& node = node_in(carrier.slot);
-      for (int a = 0; a < D; ++a) node.area[a] += carrier.weight * load.area[a];
+      give(carrier.slot, carrier.weight, load);
     }
     if (load.moment != std::array<Point<D>, D>{} && !body_.has_cuts())
-      add_moment(nearest.slot, load);
+      add_moment(surface_.node[corner], load);
+  }
+
+  void give(std::int32_t slot, double weight, const LoadAtCorner<D>& load) {
+    PressedNode<D>& node = node_in(slot);
+    node.size += std::abs(weight) * load.size;
+    for (int a = 0; a < D; ++a) {
+      node.area[a] += weight * load.area[a];
+      node.middle[a] += std::abs(weight) * load.place[a];
+    }
   }
 
   // Shares are linear in the place.
@@ -195,12 +201,12 @@ class NodesUnderLoad {
                           for (int a = 0; a < D; ++a) {
                             for (int b = 0; b < D; ++b) area[b] += g[a] * load.moment[a][b];
                           }
-                          Point<D>& of_other = node_in(static_cast<std::int32_t>(other)).area;
-                          Point<D>& of_node = node_in(slot).area;
+                          LoadAtCorner<D> moved = {std::sqrt(dot<D>(area, area)), {}, area, {}};
                           for (int b = 0; b < D; ++b) {
-                            of_other[b] += area[b];
-                            of_node[b] -= area[b];
+                            moved.place[b] = moved.size / load.size * load.place[b];
                           }
+                          give(static_cast<std::int32_t>(other), 1, moved);
+                          give(slot, -1, moved);
                         });
   }
 

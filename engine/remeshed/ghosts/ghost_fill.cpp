@@ -63,8 +63,9 @@ struct GhostFill {
       if (ghosts.wall[g] >= 0) continue;
       const int p = ghosts.pressure[g];
       const kernels::GhostFits<T, D> of_ghost = fits.of(g);
-      const T pressure = p == several_loads
-                             ? -mixed_load<T, D>(body, ghosts, of_ghost, g, foot(g), values).normal
+      const T pressure = p == several_loads ? -load_on_ghost<T, D>(body, ghosts, of_ghost, g,
+                                                                   LoadPlace<T, D>(foot(g)), values)
+                                                   .normal
                          : p < 0 ? T(0)
                                  : static_cast<T>(values.pressure_at(p, foot(g)));
       set(g, kernels::averaged_surface_ghost<T, D>(of_ghost.linear, pressure));
@@ -73,22 +74,22 @@ struct GhostFill {
 
   // Those that are no uniform pressure.
   void fill_loads(const Surroundings<D>& around) const {
-    const BoundaryValues<D>& values = around.values;
+    const Boundaries<D>& boundaries = around.boundaries;
     const kernels::Impedance<T> impedance = surface_impedance();
     FitEvaluator<T, D> present(body, ghosts, table);
     for (std::size_t g = 0; g < count; ++g) {
       const int p = ghosts.pressure[g];
-      if (p == several_loads) {
-        const kernels::GhostFits<T, D> fits = present.of(g);
-        fill_loaded(g, fits, mixed_load<T, D>(body, ghosts, fits, g, foot(g), values), impedance);
-      }
-      if (p < 0 || around.boundaries.is_uniform_pressure(p)) continue;
+      if (p == no_load || (p >= 0 && boundaries.is_uniform_pressure(p))) continue;
       const kernels::GhostFits<T, D> fits = present.of(g);
-      const Point<D> x = foot(g), traction = values.traction_at(p, x);
-      kernels::SurfaceLoad<T, D> load{
-          kernels::unit_normal<T, D>(fits.linear), -static_cast<T>(values.pressure_at(p, x)), {}};
-      for (int a = 0; a < D; ++a) load.normal += static_cast<T>(traction[a]) * load.n[a];
-      fill_loaded(g, fits, load, impedance);
+      const auto at_foot =
+          load_on_ghost<T, D>(body, ghosts, fits, g, LoadPlace<T, D>(foot(g)), around.values);
+      if (!boundaries.have_loads_by_place()) {
+        fill_loaded(g, fits, at_foot, at_foot, impedance);
+        continue;
+      }
+      const LoadPlace<T, D> place(body, ghosts, g, fits, foot(g));
+      fill_loaded(g, fits, load_on_ghost(body, ghosts, fits, g, place, around.values), at_foot,
+                  impedance);
     }
   }
 
@@ -99,8 +100,8 @@ struct GhostFill {
       const std::int32_t edge = ghosts.edge[g];
       if (ghosts.wall[g] >= 0 || edge == no_edge) continue;
       if (body.population.kind[edge] != Kind::wall_ghost) continue;
-      fill_loaded(g, present.of(g), load_beside_edge<T, D>(body, ghosts, g, foot(g), around.values),
-                  impedance);
+      const auto load = load_beside_edge<T, D>(body, ghosts, g, foot(g), around.values);
+      fill_loaded(g, present.of(g), load, load, impedance);
     }
   }
 
@@ -120,7 +121,8 @@ struct GhostFill {
       const std::size_t g = ghosts.contact_points.ghost[k];
       if (g >= count) continue;
       const kernels::GhostFits<T, D> fits = present.of(g);
-      fill_loaded(g, fits, load_of(fits, ghosts.contact_points.traction[k]), impedance);
+      const auto load = load_of(fits, ghosts.contact_points.traction[k]);
+      fill_loaded(g, fits, load, load, impedance);
     }
   }
 
@@ -185,8 +187,9 @@ struct GhostFill {
 
   void fill_loaded(std::size_t g, const kernels::GhostFits<T, D>& fits,
                    const kernels::SurfaceLoad<T, D>& load,
+                   const kernels::SurfaceLoad<T, D>& at_foot,
                    const kernels::Impedance<T>& impedance) const {
-    const auto ghost = kernels::loaded_surface_ghost<T, D>(fits, load, impedance);
+    const auto ghost = kernels::loaded_surface_ghost<T, D>(fits, load, at_foot, impedance);
     set(g, ghost);
     for (int a = 0; a < D; ++a) {
       ghosts.correction[g][a] = ghost.velocity[a] - fits.linear.velocity(a);

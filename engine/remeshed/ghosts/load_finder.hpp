@@ -7,6 +7,7 @@
 #include <span>
 
 #include "engine/lattice/point_algebra.hpp"
+#include "engine/lattice/tangents.hpp"
 #include "engine/remeshed/ghosts/initial_faces.hpp"
 
 namespace pliant::remeshed {
@@ -153,28 +154,17 @@ class LoadFinder {
   /// directions, `number` for each spacing, and their distance along these in spacings.
   template <class F>
   void for_each_place(const Point<D>& normal, const Point<D>& middle, int number, F&& f) const {
-    const auto along = tangents(normal);
+    const auto along = tangents<D>(column<D>(normal));
     const auto offset = [&](int i) { return (i + 0.5) / number - 1; };
     for (int i = 0; i < 2 * number; ++i) {
       for (int j = 0; j < (D == 3 ? 2 * number : 1); ++j) {
         Point<D> x = middle;
         for (int a = 0; a < D; ++a) {
-          x[a] += offset(i) * lattice_.spacing * along[0][a];
-          if constexpr (D == 3) x[a] += offset(j) * lattice_.spacing * along[1][a];
+          x[a] += offset(i) * lattice_.spacing * along(a, 0);
+          if constexpr (D == 3) x[a] += offset(j) * lattice_.spacing * along(a, 1);
         }
         f(x, std::max(std::abs(offset(i)), D == 3 ? std::abs(offset(j)) : 0));
       }
-    }
-  }
-
-  /// Unit vectors along a face.
-  static std::array<Point<D>, D - 1> tangents(const Point<D>& n) {
-    if constexpr (D == 2) {
-      return {{{-n[1], n[0]}}};
-    } else {
-      const Eigen::Map<const Eigen::Vector3d> normal(n.data());
-      const Eigen::Vector3d first = normal.unitOrthogonal(), second = normal.cross(first);
-      return {{{first[0], first[1], first[2]}, {second[0], second[1], second[2]}}};
     }
   }
 

@@ -120,16 +120,61 @@ LoadOnFace<T> load_on_face(const Population<T, D>& population, const BlockGhosts
   return {population.load[record], population.loaded_share[record]};
 }
 
-}  // namespace
+/// The traction of a load along the unit normal n of a face [Pa].
+template <class T, int D>
+T normal_traction(const LoadPlace<T, D>& place, const BoundaryValues<D>& values, int load,
+                  const Eigen::Matrix<T, D, 1>& n) {
+  const Column<D> normal = n.template cast<double>();
+  const Point<D> x = place.on_face(normal);
+  const double along = column<D>(values.traction_at(load, x)).dot(normal);
+  return static_cast<T>(along - values.pressure_at(load, x));
+}
+
+/// The tractions of loads along the normals of the faces around a ghost. Most ghosts have few
+/// faces, each of which is met with many particles.
+template <class T, int D>
+class TractionsOfFaces {
+  using Vector = Eigen::Matrix<T, D, 1>;
+
+ public:
+  TractionsOfFaces(const LoadPlace<T, D>& place, const BoundaryValues<D>& values)
+      : place_(place), values_(values) {}
+
+  /// [Pa]; the normal has any length.
+  T along(const Vector& normal, int load) {
+    const auto end = known_.begin() + count_;
+    const auto at = std::find_if(known_.begin(), end, [&](const Known& known) {
+      return known.load == load && known.normal == normal;
+    });
+    if (at != end) return at->traction;
+    Known& known = known_[count_ < static_cast<int>(known_.size()) ? count_++ : 0];
+    known = {normal, load, normal_traction<T, D>(place_, values_, load, normal.normalized())};
+    return known.traction;
+  }
+
+ private:
+  struct Known {
+    Vector normal;
+    int load;
+    T traction;
+  };
+
+  const LoadPlace<T, D>& place_;
+  const BoundaryValues<D>& values_;
+  std::array<Known, 2 * D> known_;
+  int count_ = 0;
+};
 
 // The traction of the uniform stress that fits those of the faces along their normals.
 template <class T, int D>
 kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                       const kernels::GhostFits<T, D>& fits, std::size_t ghost,
-                                      const Point<D>& x, const BoundaryValues<D>& values) {
+                                      const LoadPlace<T, D>& place,
+                                      const BoundaryValues<D>& values) {
   using Vector = Eigen::Matrix<T, D, 1>;
   using Matrix = Eigen::Matrix<T, D, D>;
   const Matrix turn = turn_of_normals(body, ghosts, ghost);
+  TractionsOfFaces<T, D> tractions(place, values);
   Matrix squares = Matrix::Zero(), products = Matrix::Zero();
   for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
     const std::int64_t record = kernels::record_of(ghosts.pairs[k]);
@@ -137,15 +182,9 @@ kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<
     const T w = FittedParticle<T, D>(ghosts, ghost, k).weight();
     const Vector face = Eigen::Map<const Vector>(body.population.face[record].data());
     const Vector normal = face + turn * face;
-    squares += w * normal * normal.transpose();
-    if (load < 0) continue;
-    const T length = normal.norm();
-    Vector traction;
-    const Point<D> given = values.traction_at(load, x);
-    for (int a = 0; a < D; ++a) traction[a] = static_cast<T>(given[a]) * length;
-    traction -= static_cast<T>(values.pressure_at(load, x)) * normal;
-    products +=
-        w * share * traction.dot(normal) / normal.squaredNorm() * normal * normal.transpose();
+    const Matrix square = normal * normal.transpose();
+    squares += w * square;
+    if (load >= 0) products += w * share * tractions.along(normal, load) * square;
   }
   squares.diagonal().array() += T(unseen) * squares.trace();
   const auto unit = kernels::unit_normal<T, D>(fits.linear);
@@ -160,49 +199,71 @@ kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<
   return result;
 }
 
+template <class T, int D>
+kernels::SurfaceLoad<T, D> single_load(const kernels::GhostFits<T, D>& fits, int load,
+                                       const LoadPlace<T, D>& place,
+                                       const BoundaryValues<D>& values) {
+  kernels::SurfaceLoad<T, D> result{kernels::unit_normal<T, D>(fits.linear), 0, {}};
+  const Eigen::Map<const Eigen::Matrix<T, D, 1>> n(result.n.data());
+  result.normal = normal_traction<T, D>(place, values, load, n);
+  return result;
+}
+
+}  // namespace
+
+template <class T, int D>
+kernels::SurfaceLoad<T, D> load_on_ghost(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
+                                         const kernels::GhostFits<T, D>& fits, std::size_t ghost,
+                                         const LoadPlace<T, D>& place,
+                                         const BoundaryValues<D>& values) {
+  const int load = ghosts.pressure[ghost];
+  return load == several_loads ? mixed_load(body, ghosts, fits, ghost, place, values)
+                               : single_load(fits, load, place, values);
+}
+
 template void find_record_loads<double, 2>(const Lattice<2>&, const FieldStore<double, 2>&,
                                            const Shape&, const Boundaries<2>&, int,
                                            Population<double, 2>&);
 template void find_ghost_loads<double, 2>(const Lattice<2>&, const FieldStore<double, 2>&,
                                           const Shape&, const Boundaries<2>&, int,
                                           Population<double, 2>&);
-template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double, 2>&,
-                                                               const BlockGhosts<double, 2>&,
-                                                               const kernels::GhostFits<double, 2>&,
-                                                               std::size_t, const Point<2>&,
-                                                               const BoundaryValues<2>&);
+template kernels::SurfaceLoad<double, 2> load_on_ghost(const Body<double, 2>&,
+                                                       const BlockGhosts<double, 2>&,
+                                                       const kernels::GhostFits<double, 2>&,
+                                                       std::size_t, const LoadPlace<double, 2>&,
+                                                       const BoundaryValues<2>&);
 template void find_record_loads<double, 3>(const Lattice<3>&, const FieldStore<double, 3>&,
                                            const Shape&, const Boundaries<3>&, int,
                                            Population<double, 3>&);
 template void find_ghost_loads<double, 3>(const Lattice<3>&, const FieldStore<double, 3>&,
                                           const Shape&, const Boundaries<3>&, int,
                                           Population<double, 3>&);
-template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double, 3>&,
-                                                               const BlockGhosts<double, 3>&,
-                                                               const kernels::GhostFits<double, 3>&,
-                                                               std::size_t, const Point<3>&,
-                                                               const BoundaryValues<3>&);
+template kernels::SurfaceLoad<double, 3> load_on_ghost(const Body<double, 3>&,
+                                                       const BlockGhosts<double, 3>&,
+                                                       const kernels::GhostFits<double, 3>&,
+                                                       std::size_t, const LoadPlace<double, 3>&,
+                                                       const BoundaryValues<3>&);
 template void find_record_loads<float, 2>(const Lattice<2>&, const FieldStore<float, 2>&,
                                           const Shape&, const Boundaries<2>&, int,
                                           Population<float, 2>&);
 template void find_ghost_loads<float, 2>(const Lattice<2>&, const FieldStore<float, 2>&,
                                          const Shape&, const Boundaries<2>&, int,
                                          Population<float, 2>&);
-template kernels::SurfaceLoad<float, 2> mixed_load<float, 2>(const Body<float, 2>&,
-                                                             const BlockGhosts<float, 2>&,
-                                                             const kernels::GhostFits<float, 2>&,
-                                                             std::size_t, const Point<2>&,
-                                                             const BoundaryValues<2>&);
+template kernels::SurfaceLoad<float, 2> load_on_ghost(const Body<float, 2>&,
+                                                      const BlockGhosts<float, 2>&,
+                                                      const kernels::GhostFits<float, 2>&,
+                                                      std::size_t, const LoadPlace<float, 2>&,
+                                                      const BoundaryValues<2>&);
 template void find_record_loads<float, 3>(const Lattice<3>&, const FieldStore<float, 3>&,
                                           const Shape&, const Boundaries<3>&, int,
                                           Population<float, 3>&);
 template void find_ghost_loads<float, 3>(const Lattice<3>&, const FieldStore<float, 3>&,
                                          const Shape&, const Boundaries<3>&, int,
                                          Population<float, 3>&);
-template kernels::SurfaceLoad<float, 3> mixed_load<float, 3>(const Body<float, 3>&,
-                                                             const BlockGhosts<float, 3>&,
-                                                             const kernels::GhostFits<float, 3>&,
-                                                             std::size_t, const Point<3>&,
-                                                             const BoundaryValues<3>&);
+template kernels::SurfaceLoad<float, 3> load_on_ghost(const Body<float, 3>&,
+                                                      const BlockGhosts<float, 3>&,
+                                                      const kernels::GhostFits<float, 3>&,
+                                                      std::size_t, const LoadPlace<float, 3>&,
+                                                      const BoundaryValues<3>&);
 
 }  // namespace pliant::remeshed

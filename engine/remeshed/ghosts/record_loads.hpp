@@ -2,6 +2,7 @@
 
 #include "engine/boundaries/boundary_values.hpp"
 #include "engine/remeshed/ghosts/initial_faces.hpp"
+#include "engine/remeshed/ghosts/load_place.hpp"
 
 /// The loads on the surface near ghosts, (RP.78).
 namespace pliant::remeshed {
@@ -22,10 +23,12 @@ void find_ghost_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields,
                       const Shape& surface, const Boundaries<D>& boundaries, int block,
                       Population<T, D>& population);
 
-/// The traction of `several_loads` on a ghost whose foot point is at x, and its normal, (RP.78).
+/// The loads of a ghost with `place.of` a face, and its normal: its load, or with `several_loads`
+/// the traction of (RP.78).
 template <class T, int D>
-kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
-                                      const kernels::GhostFits<T, D>& fits, std::size_t ghost,
-                                      const Point<D>& x, const BoundaryValues<D>& values);
+kernels::SurfaceLoad<T, D> load_on_ghost(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
+                                         const kernels::GhostFits<T, D>& fits, std::size_t ghost,
+                                         const LoadPlace<T, D>& place,
+                                         const BoundaryValues<D>& values);
 
 }  // namespace pliant::remeshed

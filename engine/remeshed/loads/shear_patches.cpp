@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/lattice/column.hpp"
+#include "engine/lattice/tangents.hpp"
 #include "engine/remeshed/loads/loaded_surface.hpp"
 
 namespace pliant::remeshed {
@@ -48,15 +48,13 @@ std::array<Square<D>, moments<D>> moment_fields(const std::array<Point<D>, D>& a
   }
 }
 
-/// The normal and unit vectors across it.
+/// The unit normal and unit vectors across it.
 template <int D>
 std::array<Point<D>, D> axes_of(const PlaceVector<D>& normal) {
-  if constexpr (D == 2) {
-    return {as_point<D>(normal), Point<D>{-normal[1], normal[0]}};
-  } else {
-    const PlaceVector<D> s = normal.unitOrthogonal();
-    return {as_point<D>(normal), as_point<D>(s), as_point<D>(normal.cross(s))};
-  }
+  const auto along = tangents<D>(normal);
+  std::array<Point<D>, D> axes = {as_point<D>(normal)};
+  for (int i = 1; i < D; ++i) axes[i] = as_point<D>(along.col(i - 1));
+  return axes;
 }
 
 /// Moments of what is behind a patch, with the weights of (RP.107).

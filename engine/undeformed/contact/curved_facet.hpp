@@ -122,10 +122,8 @@ class CurvedFacet {
     CurvedPart<D>& part = parts_.emplace_back();
     part.at = at;
     std::array<Point<D>, D> x;
-    for (int v = 0; v < D; ++v) {
-      x[v] = grid_[corner[v]];
-      for (int a = 0; a < D; ++a) part.middle[a] += x[v][a] / D;
-    }
+    for (int v = 0; v < D; ++v) x[v] = grid_[corner[v]];
+    part.middle = middle_of<D>(x);
     part.area = area_vector<D>(x);
   }
 

@@ -124,22 +124,24 @@ struct SurfaceLoad {
   VectorOf<T, D> shear;
 };
 
-/// The ghost of a surface under `load`, (RP.45), (RP.50).
+/// The ghost of a surface under `load` in (RP.45), (RP.113), and `at_foot` in (RP.50); both have
+/// the same normal.
 template <class T, int D>
 GhostState<T, D> loaded_surface_ghost(const GhostFits<T, D>& fits, const SurfaceLoad<T, D>& load,
+                                      const SurfaceLoad<T, D>& at_foot,
                                       const Impedance<T>& impedance) {
   const VectorOf<T, D>& n = load.n;
   const T of_load = 1 - fits.constrained_sum;
   VectorOf<T, D> s_n;
   const T s_nn = traction<T, D>(fits.constrained, n, s_n) + load.normal * of_load;
-  const T excess = traction<T, D>(fits.surface, n, s_n) - load.normal * fits.surface_sum;
+  const T excess = traction<T, D>(fits.surface, n, s_n) - at_foot.normal * fits.surface_sum;
   VectorOf<T, D> tau = shear<T, D>(fits.constrained, n);
   VectorOf<T, D> excess_tau = shear<T, D>(fits.surface, n);
   GhostState<T, D> ghost;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     tau[i] += load.shear[i] * of_load;
-    excess_tau[i] -= load.shear[i] * fits.surface_sum;
+    excess_tau[i] -= at_foot.shear[i] * fits.surface_sum;
     ghost.velocity[i] = fits.linear.velocity(i) - excess / impedance.pressure_wave * n[i] -
                         excess_tau[i] / impedance.shear_wave;
   }
@@ -153,7 +155,7 @@ GhostState<T, D> free_surface_ghost(const GhostFits<T, D>& fits, T pressure,
                                     const Impedance<T>& impedance) {
   SurfaceLoad<T, D> load{unit_normal<T, D>(fits.linear), -pressure, {}};
   load.shear.fill(T(0));
-  return loaded_surface_ghost<T, D>(fits, load, impedance);
+  return loaded_surface_ghost<T, D>(fits, load, load, impedance);
 }
 
 /// (RP.49): P Sbar P - p I with the ambient pressure `pressure`.
