@@ -123,6 +123,9 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_thin_bodies(a_case, errors, warnings);
   warn_of_coarse_cuts(a_case, warnings);
   warn_of_squeezed_lattices(a_case, warnings);
+  // Of a disc and of a ball; a square has 4.
+  constexpr double excess_of_inertia = 6;
+  warn_of_rotating_bodies(a_case, excess_of_inertia, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, has_elements, warnings);
   const bool have_elements = std::ranges::any_of(
       a_case.bodies, [](const BodyCase& body) { return has_elements(body.geometry); });

@@ -83,6 +83,9 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_thin_bodies(along_lattice, thin, warnings);
   warn_of_thin_bodies(at_an_angle, inclined, warnings);
   warn_of_narrow_openings(a_case, narrow, warnings);
+  // Of a ball; a square has 4, a disc 10.
+  constexpr double excess_of_inertia = 13;
+  warn_of_rotating_bodies(a_case, excess_of_inertia, warnings);
 }
 
 // Particles lie on the corners of all cells that the body fills, wholly or in part.

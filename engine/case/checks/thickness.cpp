@@ -166,6 +166,30 @@ void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> 
   warn_of(a_case, errors, opening, "the surface that walls leave free on body", warnings);
 }
 
+void warn_of_rotating_bodies(const Case& a_case, double factor,
+                             std::vector<std::string>& warnings) {
+  constexpr double unmentioned = 0.02;
+  const double h = a_case.discretisation.spacing;
+  for (const BodyCase& body : a_case.bodies) {
+    if (!body.velocity.rotation) continue;
+    const Vector& rate = body.velocity.rotation->angular_velocity;
+    const double rate2 = rate[0] * rate[0] + rate[1] * rate[1] + rate[2] * rate[2];
+    if (rate2 == 0) continue;
+    const Box<3> box = bounding_box(body.geometry);
+    double across2 = 0;
+    for (int a = 0; a < a_case.dimension; ++a) {
+      across2 += std::pow(box.upper[a] - box.lower[a], 2) * (1 - rate[a] * rate[a] / rate2);
+    }
+    const double deviation = factor * h * h / across2;
+    if (deviation < unmentioned) continue;
+    warnings.push_back(fmt::format(
+        "body `{}` rotates with a moment of inertia that is up to {:.2g} % too large, and so are "
+        "the energy and the angular momentum of the rotation; use a finer spacing "
+        "(discretisation.spacing = {:.3g} or below) or method = \"remeshed\"",
+        body.name, 100 * deviation, h * std::sqrt(unmentioned / deviation)));
+  }
+}
+
 void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::string>& warnings) {
   constexpr double unmentioned = 0.02;
   const double h = a_case.discretisation.spacing;
