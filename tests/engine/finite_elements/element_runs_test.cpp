@@ -44,6 +44,15 @@ TEST_F(ElementRuns, a_tumbling_block_keeps_momenta_to_rounding_and_its_energy) {
   }
 }
 
+TEST_F(ElementRuns, meshes_of_few_tetrahedra_are_warned_of) {
+  const std::vector<std::string> coarse = warnings_of_method(tests::read_text(text(5)));
+  ASSERT_EQ(coarse.size(), 1u);
+  EXPECT_NE(coarse[0].find("elements thick: linear tetrahedra resist bending by about"),
+            std::string::npos)
+      << coarse[0];
+  EXPECT_TRUE(warnings_of_method(tests::read_text(text(15))).empty());
+}
+
 TEST_F(ElementRuns, linear_materials_are_neo_hookean) {
   const auto energies = [this](const std::string& model) {
     ElementSolver<3> solver(tests::read_text(tests::with(text(3), "neo_hookean", model)),
