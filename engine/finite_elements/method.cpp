@@ -11,6 +11,7 @@
 #include "engine/finite_elements/solver.hpp"
 #include "engine/geometry/closed_mesh.hpp"
 #include "engine/geometry/volume_mesh.hpp"
+#include "engine/method/initial_stress.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/method.hpp"
 #include "engine/point_based/nodes/place_nodes.hpp"
@@ -51,18 +52,29 @@ double mean_size(const Shape& mesh) {
   return std::cbrt(6 * mesh.mesh->volume() / static_cast<double>(elements));
 }
 
-// Measured for a cantilever and a twisted bar of 3 to 16 cells across, in meshes of six tetrahedra
-// to a cell.
+// Measured in meshes of six tetrahedra to a cell: for a cantilever and a twisted bar of 3 to 16
+// cells across, and for cubes of 5 and 8 cells that are pressed to 0.6 of their height between
+// faces that hold them.
 void warn_of_few_elements(const Case& a_case, std::vector<std::string>& warnings) {
   constexpr double bending = 2.3, torsion = 5, unmentioned = 0.015;
+  constexpr double soft_ratio = 0.4, nearly_incompressible = 0.48, squeezed_unmentioned = 0.05;
   for (const BodyCase& body : a_case.bodies) {
     const double across = thickness(a_case, body) / mean_size(body.geometry);
     const double share = 1 / (across * across);
-    if (bending * share < unmentioned) continue;
+    if (bending * share >= unmentioned) {
+      warnings.push_back(fmt::format(
+          "body `{}` is {:.2g} elements thick: linear tetrahedra resist bending by about {:.2g} % "
+          "and torsion by {:.2g} % too much; use a finer mesh or method = \"point_based\"",
+          body.name, across, 100 * bending * share, 100 * torsion * share));
+    }
+    const double ratio = poissons_ratio(body);
+    const double squeezed = (ratio < nearly_incompressible ? 1 : 2) / across;
+    if (ratio < soft_ratio || squeezed < squeezed_unmentioned) continue;
     warnings.push_back(fmt::format(
-        "body `{}` is {:.2g} elements thick: linear tetrahedra resist bending by about {:.2g} % "
-        "and torsion by {:.2g} % too much; use a finer mesh or method = \"point_based\"",
-        body.name, across, 100 * bending * share, 100 * torsion * share));
+        "body `{}` is {:.2g} elements thick, and Poisson's ratio is {:.3g}: where it is "
+        "squeezed, forces are up to {:.0f} % too large; use a finer mesh or method = "
+        "\"point_based\"",
+        body.name, across, ratio, 100 * squeezed));
   }
 }
 

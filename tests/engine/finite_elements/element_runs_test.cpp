@@ -51,6 +51,11 @@ TEST_F(ElementRuns, meshes_of_few_tetrahedra_are_warned_of) {
             std::string::npos)
       << coarse[0];
   EXPECT_TRUE(warnings_of_method(tests::read_text(text(15))).empty());
+  const std::string soft = tests::with(text(5), "poissons_ratio = 0.3", "poissons_ratio = 0.49");
+  const std::vector<std::string> squeezed = warnings_of_method(tests::read_text(soft));
+  ASSERT_EQ(squeezed.size(), 2u);
+  EXPECT_NE(squeezed[1].find("where it is squeezed, forces are up to"), std::string::npos)
+      << squeezed[1];
 }
 
 TEST_F(ElementRuns, linear_materials_are_neo_hookean) {
