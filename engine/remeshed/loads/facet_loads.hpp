@@ -17,6 +17,7 @@ struct FacetLoad {
   std::array<std::int8_t, D> load;
   std::array<Point<D>, D> normal = axes();
   double share = 1;
+  int faces = 1;  ///< to which the facet belongs; the first ones of `normal` if several
 
   static constexpr std::array<Point<D>, D> axes() {
     std::array<Point<D>, D> axes = {};
@@ -89,6 +90,7 @@ class FacetLoads {
     }
     FacetLoad<D> result;
     result.load.fill(faces[0].load);
+    result.faces = count;
     if (count == 1) return result;
     for (int k = 0; k < count; ++k) {
       result.load[k] = faces[k].load;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/case/attached_walls.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/lattice/corner_weights.hpp"
 #include "engine/method/no_value.hpp"
@@ -165,7 +166,8 @@ double Measurer<T, D>::minimum_particle_distance(const MeasurementCase& m) {
 
 template <class T, int D>
 double Measurer<T, D>::area(const MeasurementCase& m) {
-  return surface_area(nodes()[m.body], state_.boundaries);
+  return surface_area(nodes()[m.body], state_.boundaries,
+                      initial_surface(settings_, settings_.bodies[m.body]));
 }
 
 template <class T, int D>

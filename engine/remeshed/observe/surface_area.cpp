@@ -1,36 +1,53 @@
 #include "engine/remeshed/observe/surface_area.hpp"
 
-#include <Eigen/Geometry>
+#include <Eigen/Dense>
+#include <cmath>
 
+#include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/column.hpp"
+#include "engine/remeshed/loads/facet_loads.hpp"
+#include "engine/remeshed/loads/loaded_surface.hpp"
 #include "engine/remeshed/observe/surface_pieces.hpp"
 
 namespace pliant::remeshed {
 
 namespace {
 
-double size_of(const std::array<PlaceVector<2>, 2>& segment) {
-  return (segment[1] - segment[0]).norm();
-}
-
-double size_of(const std::array<PlaceVector<3>, 3>& triangle) {
-  return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).norm() / 2;
+/// Area of what a facet with this area vector stands for.
+template <int D>
+double size_of(const PlaceVector<D>& area, const FacetLoad<D>& facet) {
+  if (facet.faces == 1) return area.norm();
+  Eigen::Matrix<double, D, D> normals;
+  for (int i = 0; i < D; ++i) normals.col(i) = column<D>(facet.normal[i]);
+  const PlaceVector<D> along = normals.inverse() * area;
+  double size = 0;
+  for (int i = 0; i < facet.faces; ++i) size += std::abs(along[i]);
+  return size;
 }
 
 }  // namespace
 
 template <class T, int D>
-double surface_area(const LatticeView<T, D>& view, const Boundaries<D>& boundaries) {
+double surface_area(const LatticeView<T, D>& view, const Boundaries<D>& boundaries,
+                    const Shape& initial) {
+  const FacetLoads<T, D> facets(view, initial, boundaries);
+  const bool has_known_edges = !contains_mesh(initial);
   double sum = 0;
-  for_each_surface_piece(view, boundaries,
-                         [&](const SurfacePiece<D>&, const std::array<PlaceVector<D>, D>& places) {
-                           sum += size_of(places);
-                         });
+  for_each_surface_piece(
+      view, boundaries,
+      [&](const SurfacePiece<D>& piece, const std::array<PlaceVector<D>, D>& places) {
+        sum += size_of<D>(area_of(places), has_known_edges ? facets.of(piece) : FacetLoad<D>{});
+      });
   return sum;
 }
 
-template double surface_area<double, 2>(const LatticeView<double, 2>&, const Boundaries<2>&);
-template double surface_area<double, 3>(const LatticeView<double, 3>&, const Boundaries<3>&);
-template double surface_area<float, 2>(const LatticeView<float, 2>&, const Boundaries<2>&);
-template double surface_area<float, 3>(const LatticeView<float, 3>&, const Boundaries<3>&);
+template double surface_area<double, 2>(const LatticeView<double, 2>&, const Boundaries<2>&,
+                                        const Shape&);
+template double surface_area<double, 3>(const LatticeView<double, 3>&, const Boundaries<3>&,
+                                        const Shape&);
+template double surface_area<float, 2>(const LatticeView<float, 2>&, const Boundaries<2>&,
+                                       const Shape&);
+template double surface_area<float, 3>(const LatticeView<float, 3>&, const Boundaries<3>&,
+                                       const Shape&);
 
 }  // namespace pliant::remeshed

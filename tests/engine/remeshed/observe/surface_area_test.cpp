@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/case/attached_walls.hpp"
 #include "engine/remeshed/solver.hpp"
+#include "engine/simulation/methods.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/spinning_disc.hpp"
 
@@ -25,9 +27,15 @@ name = "area"
 kind = "surface_area"
 )";
 
+double area_of(Solver& solver) {
+  const Case& settings = solver.settings();
+  return remeshed::surface_area<double, 2>(solver.on_nodes()[0], solver.state().boundaries,
+                                           initial_surface(settings, settings.bodies[0]));
+}
+
 double perimeter(double spacing) {
   Solver solver(spinning_disc(spacing), {1, kernels::Isa::sse2});
-  return remeshed::surface_area<double, 2>(solver.on_nodes()[0], solver.state().boundaries);
+  return area_of(solver);
 }
 
 /// Volume and area relative to those of `measured_ball`.
@@ -66,8 +74,26 @@ TEST(surface_area, counts_only_what_lies_in_front_of_walls) {
   Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}),
                 {1, kernels::Isa::sse2});
   // The flanks of the block of height 2; its ends are attached to the pistons.
-  EXPECT_NEAR((remeshed::surface_area<double, 2>(solver.on_nodes()[0], solver.state().boundaries)),
-              4, 1e-12);
+  EXPECT_NEAR(area_of(solver), 4, 1e-12);
+}
+
+double area_of_unit_box(int dimension, const std::string& spacing) {
+  const bool plane = dimension == 2;
+  const Case settings = tests::read_text(
+      tests::rubber_case("remeshed", dimension, spacing, "1") +
+      "[[body]]\nname = \"box\"\nmaterial = \"rubber\"\ngeometry = { shape = \"box\", lower = " +
+      (plane ? "[0, 0]" : "[0, 0, 0]") + ", upper = " + (plane ? "[1, 1]" : "[1, 1, 1]") +
+      " }\n[[measurement]]\nname = \"area\"\nkind = \"surface_area\"\n");
+  return methods().make(settings, {})->measure()[0];
+}
+
+// Facets cut off edges and corners: without what they replace the square lacks 2.8 % with 8
+// particles across, and the cube 5.7 %; the cube still lacks 0.5 % at its corners.
+TEST(surface_area, of_boxes_has_their_edges) {
+  for (const std::string spacing : {"0.125", "0.11", "0.07"}) {
+    EXPECT_NEAR(area_of_unit_box(2, spacing) / 4, 1, 0.002) << spacing;
+    EXPECT_NEAR(area_of_unit_box(3, spacing) / 6, 1, 0.006) << spacing;
+  }
 }
 
 }  // namespace
