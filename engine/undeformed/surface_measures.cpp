@@ -19,7 +19,7 @@ namespace {
 template <int D>
 double distance_to(const std::array<Point<D>, D>& corner, const Vector& origin,
                    const Vector& direction) {
-  constexpr double rim = 1e-9;  // so that a line between two pieces meets both
+  constexpr double rim = 1e-4;  // lines between two pieces meet both; slivers are left out
   Eigen::Matrix<double, D, D> columns;
   Eigen::Matrix<double, D, 1> right;
   for (int a = 0; a < D; ++a) {

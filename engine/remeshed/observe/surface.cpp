@@ -58,6 +58,21 @@ class Surface {
   CubicInterpolant<T, D> interpolant_;
 };
 
+/// Whether phi bends sharply along an axis at a node, as beside the edge of a box, where another
+/// face is nearer: a cubic through such a kink crosses 0 outside of the body.
+template <class T, int D>
+bool bends_at(const LatticeView<T, D>& view, const Cell<D>& cell, int axis) {
+  constexpr double sharply = 0.35;  // [h] second difference
+  const T* phi = view.fields.get(Field::level_set);
+  const Layout<D>& layout = view.population.layout;
+  Cell<D> up = cell, down = cell;
+  ++up[axis];
+  --down[axis];
+  const std::int64_t p = layout.slot(cell), q = layout.slot(up), r = layout.slot(down);
+  if (q < 0 || r < 0) return false;
+  return std::abs(phi[q] - 2 * phi[p] + phi[r]) > sharply * view.body.lattice.spacing;
+}
+
 // The last cell along the ray that may contain a part of the body.
 template <class T, int D>
 double reach(const LatticeView<T, D>& view, const Vector& origin) {
@@ -117,7 +132,9 @@ std::optional<double> extent(const LatticeView<T, D>& view, int axis, bool lower
       if (q < 0 || phi[q] < 0) return;
       Vector node = {};
       for (int a = 0; a < D; ++a) node[a] = lattice.node(a, cell[a]);
-      const double s = surface.zero(node, direction, 0, lattice.spacing);
+      const double s = bends_at<T, D>(view, cell, axis)
+                           ? lattice.spacing * phi[p] / (phi[p] - phi[q])
+                           : surface.zero(node, direction, 0, lattice.spacing);
       const Vector at = Surface<T, D>::along(node, direction, s);
       if (!counts(at)) return;
       if (!farthest || side * (at[axis] - *farthest) > 0) farthest = at[axis];
