@@ -11,14 +11,27 @@ namespace pliant::total_lagrangian {
 namespace {
 
 template <class T, int D>
-std::array<Point<D>, D> corners(const Body<T, D>& body, const Facet<D>& facet,
-                                BoundaryCase::LoadedArea area) {
-  std::array<Point<D>, D> x;
+void follow(const Body<T, D>& body, int number, BoundaryCase::LoadedArea area,
+            PresentFacet<D>& facet) {
+  facet.number = number;
+  facet.area_of_load = area;
   for (int v = 0; v < D; ++v) {
-    const Vertex<D>& vertex = facet.vertex[v];
-    x[v] = area == BoundaryCase::LoadedArea::undeformed ? vertex.start : body.position(vertex);
+    const Vertex<D>& vertex = body.facets[number].vertex[v];
+    facet.corner[v] =
+        area == BoundaryCase::LoadedArea::undeformed ? vertex.start : body.position(vertex);
   }
-  return x;
+  facet.area = area_vector<D>(facet.corner);
+}
+
+/// The force of the patches on the i-th loaded particle of a block.
+template <class T, int D>
+Point<D> load_on(const Body<T, D>& body, const NodalLoads& loads, std::size_t i) {
+  Point<D> sum = {};
+  for (std::int32_t k = loads.begin[i]; k < loads.begin[i + 1]; ++k) {
+    const Point<D>& force = body.patch_force[loads.patch[k]];
+    for (int a = 0; a < D; ++a) sum[a] += loads.weight[k] * force[a];
+  }
+  return sum;
 }
 
 /// The vector in the plane of a facet with `components` along its sides from the first corner.
@@ -66,18 +79,24 @@ template <class T, int D>
 void BoundaryForces<T, D>::sum_patch_loads(int block) {
   const Owned owned = owner(block);
   Body<T, D>& body = owned.body;
+  // The patches of a facet follow one another.
+  PresentFacet<D> facet;
   for (int i = body.first_patch[owned.local]; i < body.first_patch[owned.local + 1]; ++i) {
-    body.patch_force[i] = force_on(body, i);
+    const SurfacePatch<D>& patch = body.patches[i];
+    const auto area = state_.boundaries.pressures[patch.pressure].area();
+    if (patch.facet != facet.number || area != facet.area_of_load) {
+      follow(body, patch.facet, area, facet);
+    }
+    body.patch_force[i] = force_on(patch, facet);
   }
 }
 
 // The force of a pressure rotates with the surface.
 template <class T, int D>
-Point<D> BoundaryForces<T, D>::force_on(const Body<T, D>& body, std::size_t index) const {
-  const SurfacePatch<D>& patch = body.patches[index];
+Point<D> BoundaryForces<T, D>::force_on(const SurfacePatch<D>& patch,
+                                        const PresentFacet<D>& facet) const {
   const SurfacePressure<D>& load = state_.boundaries.pressures[patch.pressure];
-  const auto x = corners(body, body.facets[patch.facet], load.area());
-  const Point<D> area = area_vector<D>(x);
+  const auto& [number, area_of_load, x, area] = facet;
   const Point<D> middle = patch.corner == whole_facet
                               ? undeformed::middle_of<D>(x)
                               : undeformed::middle_of_share<D>(x, patch.corner);
@@ -104,11 +123,7 @@ void BoundaryForces<T, D>::distribute(int block) {
   Body<T, D>& body = owned.body;
   const NodalLoads& nodal_loads = body.nodal_loads[owned.local];
   for (std::size_t i = 0; i < nodal_loads.slot.size(); ++i) {
-    Point<D> sum = {};
-    for (std::int32_t k = nodal_loads.begin[i]; k < nodal_loads.begin[i + 1]; ++k) {
-      for (int a = 0; a < D; ++a)
-        sum[a] += nodal_loads.weight[k] * body.patch_force[nodal_loads.patch[k]][a];
-    }
+    const Point<D> sum = load_on(body, nodal_loads, i);
     for (int a = 0; a < D; ++a) {
       T& traction = body.traction[a][nodal_loads.slot[i]];
       traction = static_cast<T>(gravity_.acts() ? traction + sum[a] : sum[a]);
@@ -139,20 +154,21 @@ EnergyBudget BoundaryForces<T, D>::power_of(int block) {
   const Owned owned = owner(block);
   const Body<T, D>& body = owned.body;
   const NodalLoads& nodal_loads = body.nodal_loads[owned.local];
+  const auto traction_of = [&](std::int64_t p) {
+    Point<D> force;
+    for (int a = 0; a < D; ++a) force[a] = body.traction[a][p];
+    return force;
+  };
   for (std::size_t i = 0; i < nodal_loads.slot.size(); ++i) {
-    for (std::int32_t k = nodal_loads.begin[i]; k < nodal_loads.begin[i + 1]; ++k) {
-      power.load_work +=
-          nodal_loads.weight[k] *
-          along<T, D>(body.velocity, nodal_loads.slot[i], body.patch_force[nodal_loads.patch[k]]);
-    }
+    const std::int32_t p = nodal_loads.slot[i];
+    const Point<D> force = gravity_.acts() ? load_on(body, nodal_loads, i) : traction_of(p);
+    power.load_work += along<T, D>(body.velocity, p, force);
   }
   if (!gravity_.acts()) return power;
   double of_all = 0;
   const Block<D>& range = body.layout.blocks()[owned.local];
   body.layout.for_each_slot(range, [&](std::int64_t p, const Cell<D>&) {
-    Point<D> force;
-    for (int a = 0; a < D; ++a) force[a] = body.traction[a][p];
-    if (body.is_particle(p)) of_all += along<T, D>(body.velocity, p, force);
+    if (body.is_particle(p)) of_all += along<T, D>(body.velocity, p, traction_of(p));
   });
   power.body_force_work = of_all - power.load_work;
   return power;

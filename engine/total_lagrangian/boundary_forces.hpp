@@ -9,6 +9,15 @@
 
 namespace pliant::total_lagrangian {
 
+/// A facet as a load finds it.
+template <int D>
+struct PresentFacet {
+  int number = -1;
+  BoundaryCase::LoadedArea area_of_load = {};
+  std::array<Point<D>, D> corner = {};  ///< [m]
+  Point<D> area = {};                   ///< outwards [m^(D-1)]
+};
+
 /// Forces of walls, loads and gravity on the particles in a step, with their impulses and their
 /// work (RP.72).
 template <class T, int D>
@@ -48,7 +57,7 @@ class BoundaryForces {
     const BlockOwner& owner = state_.blocks[block];
     return {state_.bodies[owner.body], owner.block};
   }
-  Point<D> force_on(const Body<T, D>& body, std::size_t patch) const;
+  Point<D> force_on(const SurfacePatch<D>& patch, const PresentFacet<D>& facet) const;
   void set_gravity(int block);
   EnergyBudget power_of(int block);
 
