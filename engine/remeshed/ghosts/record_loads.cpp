@@ -123,10 +123,9 @@ LoadOnFace<T> load_on_face(const Population<T, D>& population, const BlockGhosts
 /// The traction of a load along the unit normal n of a face [Pa].
 template <class T, int D>
 T normal_traction(const LoadPlace<T, D>& place, const BoundaryValues<D>& values, int load,
-                  const Eigen::Matrix<T, D, 1>& n) {
-  const Column<D> normal = n.template cast<double>();
-  const Point<D> x = place.on_face(normal);
-  const double along = column<D>(values.traction_at(load, x)).dot(normal);
+                  const Column<D>& n) {
+  const Point<D> x = place.on_face(n);
+  const double along = column<D>(values.traction_at(load, x)).dot(n);
   return static_cast<T>(along - values.pressure_at(load, x));
 }
 
@@ -148,7 +147,9 @@ class TractionsOfFaces {
     });
     if (at != end) return at->traction;
     Known& known = known_[count_ < static_cast<int>(known_.size()) ? count_++ : 0];
-    known = {normal, load, normal_traction<T, D>(place_, values_, load, normal.normalized())};
+    known = {
+        normal, load,
+        normal_traction<T, D>(place_, values_, load, normal.normalized().template cast<double>())};
     return known.traction;
   }
 
@@ -205,7 +206,7 @@ kernels::SurfaceLoad<T, D> single_load(const kernels::GhostFits<T, D>& fits, int
                                        const BoundaryValues<D>& values) {
   kernels::SurfaceLoad<T, D> result{kernels::unit_normal<T, D>(fits.linear), 0, {}};
   const Eigen::Map<const Eigen::Matrix<T, D, 1>> n(result.n.data());
-  result.normal = normal_traction<T, D>(place, values, load, n);
+  result.normal = normal_traction<T, D>(place, values, load, n.template cast<double>());
   return result;
 }
 
