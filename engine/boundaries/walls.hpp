@@ -110,7 +110,7 @@ struct Boundaries final : Loads {
 
   bool have_contact() const;
   bool have_tractions() const;
-  bool have_loads_by_place() const;
+  bool have_loads_by_place() const;  ///< loads that depend on the place
   /// Whether a load, or -1 for none, is a traction.
   bool is_traction(int load) const { return load >= 0 && pressures[load].is_traction(); }
   /// Whether a load is a pressure that depends only on time.

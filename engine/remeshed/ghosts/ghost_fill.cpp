@@ -75,6 +75,7 @@ struct GhostFill {
   // Those that are no uniform pressure.
   void fill_loads(const Surroundings<D>& around) const {
     const Boundaries<D>& boundaries = around.boundaries;
+    const bool are_by_place = boundaries.have_loads_by_place();
     const kernels::Impedance<T> impedance = surface_impedance();
     FitEvaluator<T, D> present(body, ghosts, table);
     for (std::size_t g = 0; g < count; ++g) {
@@ -83,7 +84,7 @@ struct GhostFill {
       const kernels::GhostFits<T, D> fits = present.of(g);
       const auto at_foot =
           load_on_ghost<T, D>(body, ghosts, fits, g, LoadPlace<T, D>(foot(g)), around.values);
-      if (!boundaries.have_loads_by_place()) {
+      if (!are_by_place) {
         fill_loaded(g, fits, at_foot, at_foot, impedance);
         continue;
       }

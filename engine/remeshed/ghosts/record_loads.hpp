@@ -23,8 +23,8 @@ void find_ghost_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields,
                       const Shape& surface, const Boundaries<D>& boundaries, int block,
                       Population<T, D>& population);
 
-/// The loads of a ghost with `place.of` a face, and its normal: its load, or with `several_loads`
-/// the traction of (RP.78).
+/// The load on a ghost, taken from `place`, and the normal of the ghost; with `several_loads` the
+/// traction of (RP.78).
 template <class T, int D>
 kernels::SurfaceLoad<T, D> load_on_ghost(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                          const kernels::GhostFits<T, D>& fits, std::size_t ghost,
