@@ -10,6 +10,7 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
+/// Finds facet `number` where a load on this area finds it.
 template <class T, int D>
 void follow(const Body<T, D>& body, int number, BoundaryCase::LoadedArea area,
             PresentFacet<D>& facet) {
