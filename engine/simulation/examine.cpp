@@ -25,11 +25,8 @@ double enclosed_volume(const point_based::BodySurface<D>& surface) {
   double sum = 0;
   for (const auto& facet : surface.facet) {
     std::array<Point<D>, D> corner;
-    Point<D> middle = {};
-    for (int v = 0; v < D; ++v) {
-      corner[v] = surface.start[facet[v]];
-      for (int a = 0; a < D; ++a) middle[a] += corner[v][a] / D;
-    }
+    for (int v = 0; v < D; ++v) corner[v] = surface.start[facet[v]];
+    const Point<D> middle = undeformed::middle_of<D>(corner);
     const Point<D> area = undeformed::area_vector<D>(corner);
     for (int a = 0; a < D; ++a) sum += area[a] * middle[a] / D;
   }

@@ -93,6 +93,9 @@ class FacetLoads {
                             const Point<D>& normal, const std::vector<FaceOfFacet>& faces) const {
     const SurfacePressure<D>& pressure = boundaries_.pressures[number];
     const Facet<D>& facet = body_.facets.back();
+    const auto of_corner = [corner](const Barycentric<D>& at) {
+      return corner == whole_facet ? 1 : at[corner];
+    };
     int count = 0, hit = 0;
     LoadOnFacet sum;
     for_each_sample<D>([&](const Barycentric<D>& at) {
@@ -101,9 +104,8 @@ class FacetLoads {
       if (on_a_wall(x)) return;
       undeformed::LoadedPart<D> part = loaded_part(x, pressure, normal, faces);
       if (part.area == 0) return;
-      const double of_corner = corner == whole_facet ? 1 : at[corner];
-      part.area *= of_corner;
-      for (double& component : part.vector) component *= of_corner;
+      part.area *= of_corner(at);
+      for (double& component : part.vector) component *= of_corner(at);
       const double share = pressure.is_traction() ? part.area : norm<D>(part.vector);
       ++hit;
       sum.loaded.area += share;
@@ -120,8 +122,7 @@ class FacetLoads {
       const Point<D> out =
           pressure.is_traction() ? Point<D>{} : lever(sum.loaded.gap / hit, normal);
       for_each_gauss_point<D>([&](const Barycentric<D>& at, double weight) {
-        const double of_corner = corner == whole_facet ? 1 : at[corner];
-        add_weights<D>(places, at, out, of_corner * weight, sum.weights);
+        add_weights<D>(places, at, out, of_corner(at) * weight, sum.weights);
       });
     }
     sum.loaded.area /= count;

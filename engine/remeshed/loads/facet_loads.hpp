@@ -1,9 +1,11 @@
 #pragma once
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "engine/lattice/column.hpp"
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/remeshed/observe/surface_pieces.hpp"
@@ -25,6 +27,14 @@ struct FacetLoad {
     return axes;
   }
 };
+
+/// Components of an area vector along the normals of a facet's faces.
+template <int D>
+PlaceVector<D> along_faces(const PlaceVector<D>& area, const std::array<Point<D>, D>& normals) {
+  Eigen::Matrix<double, D, D> columns;
+  for (int i = 0; i < D; ++i) columns.col(i) = column<D>(normals[i]);
+  return columns.inverse() * area;
+}
 
 /// Finds the loads on facets.
 template <class T, int D>

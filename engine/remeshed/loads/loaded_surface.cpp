@@ -55,11 +55,7 @@ template <int D>
 FacetForce<D> force_of(const LoadedFacet<D>& facet, const PlaceVector<D>& area, const Point<D>& x,
                        const BoundaryValues<D>& values) {
   const std::array<std::int8_t, D>& load = facet.load;
-  Eigen::Matrix<double, D, D> normals;
-  for (int i = 0; i < D; ++i) {
-    normals.col(i) = Eigen::Map<const PlaceVector<D>>(facet.normal[i].data());
-  }
-  const PlaceVector<D> along = normals.inverse() * area;
+  const PlaceVector<D> along = along_faces<D>(area, facet.normal);
   FacetForce<D> force{PlaceVector<D>::Zero(), PlaceVector<D>::Zero()};
   for (int i = 0; i < D; ++i) {
     if (load[i] < 0 || std::find(load.begin(), load.begin() + i, load[i]) != load.begin() + i) {
@@ -67,7 +63,7 @@ FacetForce<D> force_of(const LoadedFacet<D>& facet, const PlaceVector<D>& area, 
     }
     PlaceVector<D> part = PlaceVector<D>::Zero();
     for (int k = i; k < D; ++k) {
-      if (load[k] == load[i]) part += along[k] * normals.col(k);
+      if (load[k] == load[i]) part += along[k] * column<D>(facet.normal[k]);
     }
     force.whole -= values.pressure_at(load[i], x) * part;
     const double size = part.norm();

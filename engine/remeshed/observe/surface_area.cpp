@@ -1,10 +1,8 @@
 #include "engine/remeshed/observe/surface_area.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 
 #include "engine/geometry/signed_distance.hpp"
-#include "engine/lattice/column.hpp"
 #include "engine/remeshed/loads/facet_loads.hpp"
 #include "engine/remeshed/loads/loaded_surface.hpp"
 #include "engine/remeshed/observe/surface_pieces.hpp"
@@ -17,9 +15,7 @@ namespace {
 template <int D>
 double size_of(const PlaceVector<D>& area, const FacetLoad<D>& facet) {
   if (facet.faces == 1) return area.norm();
-  Eigen::Matrix<double, D, D> normals;
-  for (int i = 0; i < D; ++i) normals.col(i) = column<D>(facet.normal[i]);
-  const PlaceVector<D> along = normals.inverse() * area;
+  const PlaceVector<D> along = along_faces<D>(area, facet.normal);
   double size = 0;
   for (int i = 0; i < facet.faces; ++i) size += std::abs(along[i]);
   return size;
