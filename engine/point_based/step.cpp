@@ -177,17 +177,27 @@ void Step<T, D>::meet_walls() {
 
 // Walls that hold bodies are seldom met by other parts of them, which is not worth a phase.
 template <class T, int D>
+void Step<T, D>::meet_attached_walls() {
+  meet_walls();
+  const auto first_slot = [this](const BlockOwner& owner) {
+    return state_.bodies[owner.body].blocks[owner.block].first;
+  };
+  for (const int block : undeformed::blocks_of(contact_.pushed(), state_.blocks, first_slot)) {
+    add_work_after_contact(block);
+  }
+}
+
+template <class T, int D>
 StepResult Step<T, D>::fold() {
-  if (!contact_.is_expected()) meet_walls();
+  if (!contact_.is_expected()) meet_attached_walls();
   StepResult result;
-  double inertia = 0, damped = 0;
   for (std::size_t b = 0; b < results_.size() && result.non_finite < 0; ++b) {
     result.non_finite = results_[b].forces.non_finite;
     result.failed_block = static_cast<int>(b);
     result.frequency2 = std::max(result.frequency2, results_[b].forces.frequency2);
-    inertia += results_[b].motion.inertia;
     // Nodes whose velocities change sign from step to step lose little, (TL.28).
-    damped += results_[b].motion.inertia_of_means;
+    const kernels::PointMotionSums& motion = results_[b].motion;
+    work_.fold(static_cast<int>(b), motion.inertia, motion.inertia_of_means);
   }
   if (advance_.samples) result.secant = sampler_.secant();
   for (const auto& of_body : state_.cuts) {
@@ -197,7 +207,6 @@ StepResult Step<T, D>::fold() {
     for (int a = 0; a < D; ++a) blade.impulse[a] += advance_.length * blade.force[a];
     blade.work += advance_.length * blade.power;
   }
-  work_.fold(inertia, damped);
   result.overlap = body_contact_.deepest();
   return result;
 }
@@ -253,10 +262,19 @@ void Step<T, D>::move(int block) {
 
 template <class T, int D>
 void Step<T, D>::end_motion(int block) {
+  if (advance_.samples) sampler_.end(block, owner(block).body, kick());
+  if (bodies_touch()) {
+    add_work_after_contact(block);
+  } else {
+    work_.end_motion(block, power(block));
+  }
+}
+
+template <class T, int D>
+void Step<T, D>::add_work_after_contact(int block) {
   const auto [body, local] = owner(block);
-  if (advance_.samples) sampler_.end(block, body, kick());
   const NodeBlock& range = body.blocks[local];
-  if (bodies_touch()) work_.after_contact(block, body, range.first, range.nodes);
+  work_.after_contact(block, body, range.first, range.nodes);
   work_.end_motion(block, power(block));
 }
 

@@ -64,6 +64,8 @@ class Step {
   bool has_punctures() const;
   void press_surfaces();
   void meet_walls();
+  void meet_attached_walls();
+  void add_work_after_contact(int block);
   undeformed::Kick<T> kick() const { return {state_.clock, advance_.length}; }
   /// Power of loads and gravity on a block at the present velocities [W].
   EnergyBudget power(int block) const;

@@ -188,10 +188,11 @@ void BoundaryForces<T, D>::hold(int block) {
 }
 
 template <class T, int D>
-void BoundaryForces<T, D>::after_contact(int block) {
+void BoundaryForces<T, D>::end_motion_after_contact(int block) {
   const auto [body, local] = owner(block);
   const Block<D>& range = body.layout.blocks()[local];
   work_.after_contact(block, body, range.first_slot, range.slot_count);
+  end_motion(block);
 }
 
 template <class T, int D>

@@ -40,13 +40,13 @@ class BoundaryForces {
   void begin_motion(int block);
   /// Called after that: constrained particles follow their walls.
   void hold(int block);
-  /// Called if contact has changed velocities since.
-  void after_contact(int block);
-  /// Called when velocities are final: adds the work of loads and gravity.
+  /// Called with the velocities at the end of the step, for the work of loads and gravity.
   void end_motion(int block);
+  /// The same, also once more, if contact has changed velocities since hold().
+  void end_motion_after_contact(int block);
 
-  /// Adds impulses and work of the step to the state, as undeformed::BoundaryWork does.
-  void fold(double inertia, double damped) { work_.fold(inertia, damped); }
+  /// Adds impulses and work of a block to the state, as undeformed::BoundaryWork does.
+  void fold(int block, double inertia, double damped) { work_.fold(block, inertia, damped); }
 
  private:
   struct Owned {

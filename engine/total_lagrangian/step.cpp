@@ -126,22 +126,30 @@ void Step<T, D>::meet_walls() {
 
 // Walls that hold bodies are seldom met by other parts of them, which is not worth a phase.
 template <class T, int D>
+void Step<T, D>::meet_attached_walls() {
+  meet_walls();
+  const auto first_slot = [this](const BlockOwner& owner) {
+    return state_.bodies[owner.body].layout.blocks()[owner.block].first_slot;
+  };
+  for (const int block : undeformed::blocks_of(contact_.pushed(), state_.blocks, first_slot)) {
+    boundary_forces_.end_motion_after_contact(block);
+  }
+}
+
+template <class T, int D>
 StepResult Step<T, D>::fold() {
-  if (!contact_.is_expected()) meet_walls();
+  if (!contact_.is_expected()) meet_attached_walls();
   for (Body<T, D>& body : state_.bodies) body.take_next();
   StepResult result;
-  double inertia = 0, damped = 0;
   for (std::size_t b = 0; b < results_.size(); ++b) {
     result.wave_speed = std::max(result.wave_speed, results_[b].wave_speed);
-    inertia += results_[b].inertia;
-    damped += results_[b].damped;
+    boundary_forces_.fold(static_cast<int>(b), results_[b].inertia, results_[b].damped);
     if (results_[b].non_finite >= 0 && result.non_finite < 0) {
       result.non_finite = results_[b].non_finite;
       result.failed_block = static_cast<int>(b);
     }
   }
   if (advance_.samples) result.secant = sampler_.secant();
-  boundary_forces_.fold(inertia, damped);
   result.overlap = body_contact_.deepest();
   return result;
 }
@@ -242,8 +250,11 @@ void Step<T, D>::move(int block) {
 template <class T, int D>
 void Step<T, D>::end_motion(int block) {
   if (advance_.samples) sampler_.end(block, owner(block).body, kick());
-  if (bodies_touch()) boundary_forces_.after_contact(block);
-  boundary_forces_.end_motion(block);
+  if (bodies_touch()) {
+    boundary_forces_.end_motion_after_contact(block);
+  } else {
+    boundary_forces_.end_motion(block);
+  }
 }
 
 template class Step<double, 2>;

@@ -51,6 +51,7 @@ class Step {
  private:
   bool bodies_touch() const { return contact_.is_expected() || body_contact_.exists(); }
   void meet_walls();
+  void meet_attached_walls();
   void prepare_memory();
   void list_memory(std::size_t body);
   kernels::CellViscosity<T> viscosity(int body);

@@ -56,7 +56,7 @@ template <class T, int D>
 void BoundaryWork<T, D>::begin_motion(int block, const Body<T, D>& body, int local,
                                       const EnergyBudget& power) {
   BlockWork& work = work_[block];
-  work.energy = work.power = {};
+  work.energy = work.power = work.at_end = {};
   work.undamped = 0;
   work.inertia.reset();
   std::fill(work.impulse.begin(), work.impulse.end(), Wrench<D>{});
@@ -107,28 +107,25 @@ void BoundaryWork<T, D>::hold(int block, Body<T, D>& body, int local,
 
 template <class T, int D>
 void BoundaryWork<T, D>::end_motion(int block, const EnergyBudget& power) {
-  add(work_[block].energy, power, times_.kick / 2);
-  add(work_[block].power, power);
+  work_[block].at_end = power;
 }
 
 template <class T, int D>
-void BoundaryWork<T, D>::fold(double inertia, double damped) {
-  double acted_on = damped, after_contact = 0;
-  bool touches = false;
-  for (const BlockWork& work : work_) {
-    add(state_.energy, work.energy);
-    add(state_.power, work.power);
-    for (std::size_t w = 0; w < work.impulse.size(); ++w) {
-      state_.wall_impulse[w].add(work.impulse[w], 1);
-      state_.wall_force[w].add(work.impulse[w], 1 / times_.kick);
-    }
-    acted_on -= work.undamped;
-    touches = touches || work.inertia;
-    after_contact += work.inertia.value_or(0);
+void BoundaryWork<T, D>::fold(int block, double inertia, double damped) {
+  const BlockWork& work = work_[block];
+  add(state_.energy, work.energy);
+  add(state_.energy, work.at_end, times_.kick / 2);
+  add(state_.power, work.power);
+  add(state_.power, work.at_end);
+  for (std::size_t w = 0; w < work.impulse.size(); ++w) {
+    state_.wall_impulse[w].add(work.impulse[w], 1);
+    state_.wall_force[w].add(work.impulse[w], 1 / times_.kick);
   }
-  if (touches) acted_on = std::pow((std::sqrt(inertia) + std::sqrt(after_contact)) / 2, 2);
+  const double acted_on = work.inertia
+                              ? std::pow((std::sqrt(inertia) + std::sqrt(*work.inertia)) / 2, 2)
+                              : damped - work.undamped;
   const double rate = state_.clock.damping * state_.clock.mass_scaling;
-  state_.power.damping = rate * inertia;
+  state_.power.damping += rate * inertia;
   state_.energy.damping += times_.kick * rate * acted_on;
 }
 

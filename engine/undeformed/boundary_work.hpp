@@ -39,20 +39,22 @@ class BoundaryWork {
   void hold(int block, Body<T, D>& body, int local, std::array<Buffer<T>, D>& displacement);
   /// Called after that if contact has changed velocities since, with the slots of the block.
   void after_contact(int block, const Body<T, D>& body, std::int64_t first, std::int64_t count);
-  /// Called at the end, with the power of loads and gravity at that time.
+  /// Called with the power of loads and gravity at the velocities at the end of the step; again if
+  /// contact has changed them since.
   void end_motion(int block, const EnergyBudget& power);
 
-  /// Adds impulses and work of the step to the state, in the order of the blocks. `inertia` is the
-  /// sum of m u^2 before the step [J]. `damped` is that of m ((u + u')/2)^2, to which the loss by
-  /// damping is proportional up to rounding without contact, (TL.28); u' are the velocities after
-  /// the step, those of constrained particles before hold().
-  void fold(double inertia, double damped);
+  /// Adds impulses and work of a block to the state; to be called block after block. `inertia` is
+  /// the sum of m u^2 before the step [J]. `damped` is that of m ((u + u')/2)^2, to which the loss
+  /// by damping is proportional up to rounding without contact, (TL.28); u' are the velocities
+  /// after the step, those of constrained particles before hold().
+  void fold(int block, double inertia, double damped);
 
  private:
   /// Two threads that write to one cache line wait for each other.
   struct alignas(64) BlockWork {
     EnergyBudget energy;             ///< of the step [J]
-    EnergyBudget power;              ///< at the velocities after the step [W]
+    EnergyBudget power;              ///< of walls at the velocities after the step [W]
+    EnergyBudget at_end;             ///< of loads and gravity then [W]
     std::optional<double> inertia;   ///< sum of m u^2 after contact [J]
     double undamped = 0;             ///< part of m ((u + u')/2)^2 that hold() removes [J]
     std::vector<Wrench<D>> impulse;  ///< [wall] on the block [N s], [N m s]

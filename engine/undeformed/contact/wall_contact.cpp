@@ -51,6 +51,7 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
     wall.drift = drift;
   }
   search_.update(surfaces_, walls_);
+  pushed_.clear();
   for (std::size_t s = 0; s < surfaces_.size(); ++s) push_out(s);
 }
 
@@ -78,10 +79,23 @@ void WallContact<T, D>::push_out(std::size_t s) {
     first = std::max(first, change);
     if (change <= settled * first) break;
   }
+  conclude(s);
+}
+
+template <class T, int D>
+void WallContact<T, D>::conclude(std::size_t s) {
+  const PushedSurface<T, D>& surface = surfaces_[s];
   auto given = given_.begin();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    for (const std::int32_t corner : state_.near_walls[w].soon.corners[s]) {
-      add_friction(surface, surface.corners[corner], walls_[w], *given++);
+    for (const std::int32_t number : state_.near_walls[w].soon.corners[s]) {
+      const MovableCorner& corner = surface.corners[number];
+      add_friction(surface, corner, walls_[w], *given);
+      const bool is_pushed = given->impulse > 0 || given->moved > 0;
+      ++given;
+      if (!is_pushed) continue;
+      for (const Share& share : surface.carriers_of(corner)) {
+        pushed_.push_back({static_cast<int>(s), share.slot});
+      }
     }
   }
 }

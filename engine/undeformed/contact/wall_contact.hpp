@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,6 +26,27 @@
 //
 // There is no penalty stiffness: no parameter to choose, no shorter time step.
 namespace pliant::undeformed {
+
+/// A particle that a wall has pushed.
+struct PushedParticle {
+  int body;
+  std::int32_t slot;
+};
+
+/// Numbers of the blocks with these particles; `first_slot(owner)` is that of a block.
+template <class FirstSlot>
+std::set<int> blocks_of(std::span<const PushedParticle> pushed,
+                        const std::vector<BlockOwner>& owners, FirstSlot&& first_slot) {
+  std::set<int> blocks;
+  for (const PushedParticle& particle : pushed) {
+    const auto after = std::upper_bound(
+        owners.begin(), owners.end(), particle, [&](const PushedParticle& p, const BlockOwner& o) {
+          return p.body < o.body || (p.body == o.body && p.slot < first_slot(o));
+        });
+    blocks.insert(static_cast<int>(after - owners.begin()) - 1);
+  }
+  return blocks;
+}
 
 /// Prevents the surfaces of bodies from entering walls, (TL.12).
 template <class T, int D>
@@ -51,6 +76,8 @@ class WallContact {
   /// [s] at their present velocities, with forces that have acted for `kick` [s]. Adds impulses and
   /// work of the walls to the state.
   void apply(double time, double kick, double length, double drift);
+  /// The particles that the last call has pushed, some of them more than once.
+  std::span<const PushedParticle> pushed() const { return pushed_; }
 
  private:
   /// What a wall has given to a corner in a step.
@@ -61,6 +88,8 @@ class WallContact {
 
   /// Gauss-Seidel sweeps over the corners of a surface.
   void push_out(std::size_t surface);
+  /// Adds what friction took, and lists the pushed particles.
+  void conclude(std::size_t surface);
   /// Returns the distance by which it moves the corner, in the step or at its end [m].
   double push(PushedSurface<T, D>& surface, const MovableCorner& corner, const MetWall<D>& met,
               Given& given);
@@ -75,6 +104,7 @@ class WallContact {
   std::vector<PushedSurface<T, D>> surfaces_;
   WallSearch<T, D> search_;
   std::vector<Given> given_;  ///< [corner near a wall] of one surface, wall by wall
+  std::vector<PushedParticle> pushed_;
 };
 
 extern template class WallContact<double, 2>;
