@@ -8,6 +8,7 @@
 #include "engine/case/checks/check_motion.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/method/initial_stress.hpp"
 #include "engine/point_based/cutting/cut_resolution.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/nodes/place_nodes.hpp"

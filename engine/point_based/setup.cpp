@@ -1,4 +1,5 @@
 #include "engine/point_based/setup.hpp"
+#include "engine/boundaries/overhang.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -103,6 +104,8 @@ void make_room(const Case& settings, const Boundaries<D>& boundaries, PressureFo
 
 template <class T, int D>
 void hold(const Boundaries<D>& boundaries, double reach, Body<T, D>& body) {
+  const Shape& shape = body.source->geometry;
+  const bool is_solid = !has_elements(shape);
   body.held.assign(body.blocks.size(), {});
   for (std::size_t b = 0; b < body.blocks.size(); ++b) {
     const NodeBlock& block = body.blocks[b];
@@ -111,8 +114,9 @@ void hold(const Boundaries<D>& boundaries, double reach, Body<T, D>& body) {
       const double size = std::pow(body.mass[slot] / body.material.density, 1. / D);
       for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
         const Wall<D>& wall = boundaries.walls[w];
-        if (!wall.is_attached() || wall.distance(x) >= reach * size + on_wall * body.resolution)
-          continue;
+        const double distance = wall.distance(x), rounding = on_wall * body.resolution;
+        if (!wall.is_attached() || distance >= reach * size - rounding) continue;
+        if (is_solid && distance > rounding && is_beyond_rim<D>(shape, wall, x, 0)) continue;
         const auto place = static_cast<std::int32_t>(slot);
         body.held[b].push_back({place, w, wall.slips() ? wall.normal(x) : Point<D>{}, x});
       }

@@ -9,6 +9,7 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/column.hpp"
+#include "engine/total_lagrangian/overhang_fit.hpp"
 #include "engine/total_lagrangian/shifted_cells.hpp"
 
 // A wall holds the particles within half a spacing of it. They move onto its surface, so that the
@@ -37,7 +38,8 @@ class WallFitter {
         body_(body),
         shape_(body.source->geometry),
         h_(body.lattice.spacing),
-        held_(body.layout.slots(), false) {
+        held_(body.layout.slots(), false),
+        overhangs_(boundaries, body, held_) {
     for (const auto& of_block : body.held) {
       for (const ConstrainedParticle<D>& held : of_block) held_[held.slot] = true;
     }
@@ -46,8 +48,9 @@ class WallFitter {
   WallFit<D> operator()() {
     for_each_particle([&](std::int64_t p, const Cell<D>& cell) {
       if (!is_near_a_wall(cell)) return;
-      const std::optional<Column<D>> shift =
-          is_on_surface(p) ? shift_of_surface(p, cell) : std::nullopt;
+      const std::optional<Column<D>> shift = is_on_surface(p) && !overhangs_.overhangs(cell)
+                                                 ? shift_of_surface(p, cell)
+                                                 : std::nullopt;
       if (shift && shift->norm() > on_surface * h_) spread_below(cell, *shift);
       if (!shift || wall_continues_inside(cell)) shift_onto_walls(p, cell);
     });
@@ -87,12 +90,13 @@ class WallFitter {
       if (!wall.is_attached()) continue;
       const Point<D> at = as_point<D>(x + shift);
       const double distance = wall.distance(at);
-      if (distance > h_ / 2 || std::abs(distance) < on_surface * h_) continue;
-      const bool is_deep = distance < -h_ / 2;
+      if (distance > h_ / 2) continue;
+      const bool is_deep = distance < -(0.5 + on_surface) * h_;
       if (is_deep && !has_free_before(cell, wall, at)) continue;
       const Column<D> normal = column<D>(wall.normal(at)), onto = -distance * normal;
       shift += onto;
-      if (is_deep) continue;
+      shift += overhangs_.shift(cell, wall, x + shift);
+      if (is_deep || onto.norm() < on_surface * h_) continue;
       const auto [axis, up] = line_along(normal);
       for (int k = 1; k < layers; ++k) {
         Cell<D> beside = cell;
@@ -114,6 +118,7 @@ class WallFitter {
       for (const std::int64_t q : body_.corners(around)) {
         if (held_[q]) continue;
         const Point<D> x = body_.lattice.node(body_.layout.cell(q));
+        if (wall.distance(x) < (0.5 - on_surface) * h_) continue;  // beyond the rim of an overhang
         if (column<D>(wall.normal(x)).dot(column<D>(wall.normal(at))) > same_face) return true;
       }
     }
@@ -228,6 +233,7 @@ class WallFitter {
   const Shape& shape_;
   double h_;
   std::vector<bool> held_;  // [slot]
+  OverhangFit<T, D> overhangs_;
   Shifts<D> shift_;
 };
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/boundaries/overhang.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_velocity.hpp"
@@ -119,7 +120,7 @@ void make_room(Body<T, D>& body) {
 }
 
 // A particle is held by the nearest wall within half a spacing: on average, the held boundary is
-// then in the right place.
+// then in the right place. The same holds along the wall where the body overhangs it.
 template <class T, int D>
 void hold(const Boundaries<D>& boundaries, Body<T, D>& body) {
   const double reach = body.lattice.spacing * (0.5 - on_surface);
@@ -131,6 +132,7 @@ void hold(const Boundaries<D>& boundaries, Body<T, D>& body) {
       for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
         const Wall<D>& wall = boundaries.walls[w];
         if (!wall.is_attached() || wall.distance(x) >= reach) continue;
+        if (is_beyond_rim<D>(body.source->geometry, wall, x, body.lattice.spacing / 2)) continue;
         body.held[b].push_back(
             {static_cast<std::int32_t>(p), w, wall.slips() ? wall.normal(x) : Point<D>{}, x});
       }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/boundaries/overhang.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/point_based/bonds/nearest_nodes.hpp"
@@ -17,7 +18,8 @@ namespace {
 
 constexpr int points_to_a_side = 8;                          // along a side of a node's cell
 constexpr double rounding_of_moves = 1e-9;                   // [pitch]
-constexpr double farthest_before = 0.5 + rounding_of_moves;  // [pitch] of nodes that move
+constexpr double rounding_of_places = 1e-6;                  // [pitch] of nodes on the surface
+constexpr double farthest_before = 0.5 - rounding_of_moves;  // [pitch] of nodes that move
 constexpr double farthest_behind = 0.75;                     // [pitch] so that none is missing
 constexpr double closest_on_walls = 0.25;                    // [pitch]
 
@@ -57,9 +59,19 @@ struct MovedNode {
   bool slides;   ///< along the wall
 };
 
+// Where the body overhangs a wall, the nodes that move to the edge of what it holds: those next to
+// the rim, and those on the surface behind the wall, which move along the surface.
 template <int D>
-void move_onto_walls(const Boundaries<D>& boundaries, const Point<D>& pitch, std::size_t node,
-                     Point<D>& x, std::vector<MovedNode<D>>& moved) {
+bool moves_to_rim(const Shape& shape, const Point<D>& x, double distance, double pitch,
+                  const WayToRim<D>& rim) {
+  if (rim.way.norm() < pitch / 2) return true;
+  const double phi = signed_distance(shape, padded<D>(x), D);
+  return distance < 0 && std::abs(phi) < rounding_of_places * pitch;
+}
+
+template <int D>
+void move_onto_walls(const Boundaries<D>& boundaries, const Shape& shape, const Point<D>& pitch,
+                     std::size_t node, Point<D>& x, std::vector<MovedNode<D>>& moved) {
   for (const Wall<D>& wall : boundaries.walls) {
     if (!wall.is_attached()) continue;
     const double distance = wall.distance(x);
@@ -68,11 +80,16 @@ void move_onto_walls(const Boundaries<D>& boundaries, const Point<D>& pitch, std
     for (int a = 0; a < D; ++a) square += n[a] * pitch[a] * n[a] * pitch[a];
     const double along = std::sqrt(square);
     if (distance > farthest_before * along || distance < -farthest_behind * along) continue;
+    const auto rim = way_to_rim<D>(shape, wall, x, along);
+    if (rim && rim->is_beyond) continue;
     const Point<D> from = x;
     Point<D> beside;
     for (int a = 0; a < D; ++a) {
       x[a] -= distance * n[a];
       beside[a] = x[a] + (along + distance) * n[a];
+    }
+    if (rim && moves_to_rim<D>(shape, from, distance, along, *rim)) {
+      x = as_point<D>(column<D>(x) + rim->way);
     }
     moved.push_back({node, from, beside, distance / along, along, wall.slips()});
   }
@@ -146,7 +163,7 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
     if (distance < size) {
       elastic[i] *= distance < -size ? 0 : elastic_share<D>(boundaries, shape, x, cell);
     }
-    if (cloud.elements.empty()) move_onto_walls<D>(boundaries, cell, i, x, moved);
+    if (cloud.elements.empty()) move_onto_walls<D>(boundaries, shape, cell, i, x, moved);
   }
   part<D>(moved, cloud.positions);
   for (const MovedNode<D>& one : moved) {
