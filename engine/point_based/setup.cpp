@@ -116,7 +116,7 @@ void hold(const Boundaries<D>& boundaries, double reach, Body<T, D>& body) {
         const Wall<D>& wall = boundaries.walls[w];
         const double distance = wall.distance(x), rounding = on_wall * body.resolution;
         if (!wall.is_attached() || distance >= reach * size - rounding) continue;
-        if (is_solid && distance > rounding && is_beyond_rim<D>(shape, wall, x, 0)) continue;
+        if (is_solid && distance > rounding && is_beyond_rim<D>(shape, wall, x, size / 2)) continue;
         const auto place = static_cast<std::int32_t>(slot);
         body.held[b].push_back({place, w, wall.slips() ? wall.normal(x) : Point<D>{}, x});
       }

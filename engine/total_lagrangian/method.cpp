@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/boundaries/overhang.hpp"
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/geometry/plane_across.hpp"
@@ -83,6 +84,11 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_thin_bodies(along_lattice, thin, warnings);
   warn_of_thin_bodies(at_an_angle, inclined, warnings);
   warn_of_narrow_openings(a_case, narrow, warnings);
+  // Measured for discs and balls held by a cap, docs/decisions/0078.
+  static constexpr ThinBodyError held_by_a_cap[] = {
+      {10.5,
+       "forces and displacements deviate by up to 9 %, as it overhangs a wall that holds it"}};
+  warn_of_overhangs(a_case, held_by_a_cap, warnings);
   // Of a ball; a square has 4, a disc 10.
   constexpr double excess_of_inertia = 13;
   warn_of_rotating_bodies(a_case, excess_of_inertia, warnings);

@@ -18,9 +18,9 @@ namespace {
 
 constexpr int points_to_a_side = 8;                          // along a side of a node's cell
 constexpr double rounding_of_moves = 1e-9;                   // [pitch]
-constexpr double rounding_of_places = 1e-6;                  // [pitch] of nodes on the surface
 constexpr double farthest_before = 0.5 - rounding_of_moves;  // [pitch] of nodes that move
 constexpr double farthest_behind = 0.75;                     // [pitch] so that none is missing
+constexpr double farthest_beyond = 0.5;                      // [pitch] the rim of an overhang
 constexpr double closest_on_walls = 0.25;                    // [pitch]
 
 // The part of a node's cell outside no-slip walls, as a share of what the body fills of the cell.
@@ -59,16 +59,7 @@ struct MovedNode {
   bool slides;   ///< along the wall
 };
 
-// Where the body overhangs a wall, the nodes that move to the edge of what it holds: those next to
-// the rim, and those on the surface behind the wall, which move along the surface.
-template <int D>
-bool moves_to_rim(const Shape& shape, const Point<D>& x, double distance, double pitch,
-                  const WayToRim<D>& rim) {
-  if (rim.way.norm() < pitch / 2) return true;
-  const double phi = signed_distance(shape, padded<D>(x), D);
-  return distance < 0 && std::abs(phi) < rounding_of_places * pitch;
-}
-
+// Where the body overhangs a wall, nodes a little beyond the rim move onto the rim.
 template <int D>
 void move_onto_walls(const Boundaries<D>& boundaries, const Shape& shape, const Point<D>& pitch,
                      std::size_t node, Point<D>& x, std::vector<MovedNode<D>>& moved) {
@@ -80,17 +71,15 @@ void move_onto_walls(const Boundaries<D>& boundaries, const Shape& shape, const 
     for (int a = 0; a < D; ++a) square += n[a] * pitch[a] * n[a] * pitch[a];
     const double along = std::sqrt(square);
     if (distance > farthest_before * along || distance < -farthest_behind * along) continue;
-    const auto rim = way_to_rim<D>(shape, wall, x, along);
-    if (rim && rim->is_beyond) continue;
+    const auto rim = way_to_rim<D>(shape, wall, x, 0);
+    if (rim && rim->is_beyond && rim->way.norm() > farthest_beyond * along) continue;
     const Point<D> from = x;
     Point<D> beside;
     for (int a = 0; a < D; ++a) {
       x[a] -= distance * n[a];
       beside[a] = x[a] + (along + distance) * n[a];
     }
-    if (rim && moves_to_rim<D>(shape, from, distance, along, *rim)) {
-      x = as_point<D>(column<D>(x) + rim->way);
-    }
+    if (rim && rim->is_beyond) x = as_point<D>(column<D>(x) + rim->way);
     moved.push_back({node, from, beside, distance / along, along, wall.slips()});
   }
 }
