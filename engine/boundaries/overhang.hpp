@@ -1,12 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "engine/boundaries/walls.hpp"
-#include "engine/case/checks/thickness.hpp"
 #include "engine/geometry/shape.hpp"
 #include "engine/lattice/column.hpp"
 
@@ -36,14 +32,6 @@ std::optional<WayToRim<D>> way_to_rim(const Shape& body, const Wall<D>& wall, co
 /// Whether the foot of `x` is farther beyond the rim of an overhang than `by` [m].
 template <int D>
 bool is_beyond_rim(const Shape& body, const Wall<D>& wall, const Point<D>& x, double by);
-
-/// Whether a body overhangs a no-slip wall that holds it.
-bool overhangs_a_wall(const Case& a_case, const BodyCase& body);
-
-/// Warns of bodies that overhang a no-slip wall and are so thin in spacings that one of the errors
-/// applies; `errors` are in ascending order of `across`.
-void warn_of_overhangs(const Case& a_case, std::span<const ThinBodyError> errors,
-                       std::vector<std::string>& warnings);
 
 extern template std::optional<WayToRim<2>> way_to_rim<2>(const Shape&, const Wall<2>&,
                                                          const Point<2>&, double);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/boundaries/overhang.hpp"
+#include "engine/boundaries/overhanging_bodies.hpp"
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/stability.hpp"
 #include "engine/case/checks/thickness.hpp"

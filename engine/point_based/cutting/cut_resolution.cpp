@@ -44,7 +44,7 @@ bool moves_along_its_edge(const CutCase& cut) {
     const BladeEdge &edge = path[k], &next = path[k + 1];
     const Vector along = difference<3>(edge.to, edge.from);
     for (const auto& [from, to] : {std::pair{edge.from, next.from}, std::pair{edge.to, next.to}}) {
-      const Vector way = difference<3>(to, from), normal = cross(along, way);
+      const Vector way = difference<3>(to, from), normal = pliant::cross(along, way);
       if (dot<3>(normal, normal) > little * little * dot<3>(along, along) * dot<3>(way, way)) {
         return false;
       }

@@ -5,7 +5,9 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "engine/boundaries/overhanging_bodies.hpp"
 #include "engine/simulation/methods.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/undeformed/loads.hpp"
@@ -101,6 +103,24 @@ TEST(overhangs, rest_on_the_walls_that_press_the_body_without_a_loss_to_damping)
     const double work = run->energy_budget()->wall_work;
     EXPECT_GT(work, 4) << method << across;
     EXPECT_NEAR(balance(*run), 0, 0.01 * work) << method << across;
+  }
+}
+
+TEST(overhangs, are_warned_of_where_bodies_are_thin) {
+  static constexpr ThinBodyError errors[] = {{10.5, "it overhangs"}};
+  const auto warnings = [&](int dimension, int across, const std::string& wall) {
+    std::string text = round_body(dimension, "total_lagrangian", across, 1);
+    const std::string cap = "-0.35";
+    text.replace(text.find(cap), cap.size(), wall);
+    std::vector<std::string> found;
+    warn_of_overhangs(tests::read_text(text), errors, found);
+    return found.size();
+  };
+  for (const int dimension : {2, 3}) {
+    EXPECT_EQ(warnings(dimension, 10, "-0.35"), 1) << dimension;
+    EXPECT_EQ(warnings(dimension, 12, "-0.35"), 0) << dimension;
+    EXPECT_EQ(warnings(dimension, 10, "0"), 0) << dimension << ": a right angle";
+    EXPECT_EQ(warnings(dimension, 10, "0.2"), 0) << dimension << ": an acute angle";
   }
 }
 

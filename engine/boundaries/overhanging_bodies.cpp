@@ -1,0 +1,52 @@
+#include "engine/boundaries/overhanging_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/boundaries/overhang.hpp"
+#include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/lattice.hpp"
+
+namespace pliant {
+
+namespace {
+
+template <int D>
+bool overhangs(const Case& a_case, const BodyCase& body) {
+  constexpr int points = 24;  // along each side of the body
+  const Boundaries<D> boundaries(a_case.boundaries);
+  const Box<3> box = bounding_box(body.geometry);
+  Point<D> pitch;
+  for (int a = 0; a < D; ++a) pitch[a] = (box.upper[a] - box.lower[a]) / points;
+  const double reach = *std::ranges::max_element(pitch);
+  const auto rises_over = [&](const Wall<D>& wall, const Point<D>& x) {
+    if (!wall.is_attached() || wall.slips() || std::abs(wall.distance(x)) > reach) return false;
+    const auto rim = way_to_rim<D>(body.geometry, wall, x, reach);
+    return rim && rim->way.norm() < reach;
+  };
+  Cell<D> first = {}, last;
+  last.fill(points - 1);
+  bool found = false;
+  for_each_cell<D>(first, last, [&](const Cell<D>& cell) {
+    Point<D> x;
+    for (int a = 0; a < D; ++a) x[a] = box.lower[a] + (cell[a] + 0.5) * pitch[a];
+    found = found || std::ranges::any_of(boundaries.walls,
+                                         [&](const Wall<D>& wall) { return rises_over(wall, x); });
+  });
+  return found;
+}
+
+}  // namespace
+
+bool overhangs_a_wall(const Case& a_case, const BodyCase& body) {
+  return a_case.dimension == 2 ? overhangs<2>(a_case, body) : overhangs<3>(a_case, body);
+}
+
+void warn_of_overhangs(const Case& a_case, std::span<const ThinBodyError> errors,
+                       std::vector<std::string>& warnings) {
+  Case held = a_case;
+  std::erase_if(held.bodies, [&](const BodyCase& body) { return !overhangs_a_wall(a_case, body); });
+  warn_of_thin_bodies(held, errors, warnings);
+}
+
+}  // namespace pliant
