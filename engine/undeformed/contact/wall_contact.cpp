@@ -92,7 +92,7 @@ void WallContact<T, D>::conclude(std::size_t s) {
       add_friction(surface, corner, walls_[w], *given);
       const bool is_pushed = given->impulse > 0 || given->moved > 0;
       ++given;
-      if (!is_pushed) continue;
+      if (is_expected_ || !is_pushed) continue;
       for (const Share& share : surface.carriers_of(corner)) {
         pushed_.push_back({static_cast<int>(s), share.slot});
       }

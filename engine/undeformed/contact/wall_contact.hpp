@@ -76,7 +76,8 @@ class WallContact {
   /// [s] at their present velocities, with forces that have acted for `kick` [s]. Adds impulses and
   /// work of the walls to the state.
   void apply(double time, double kick, double length, double drift);
-  /// The particles that the last call has pushed, some of them more than once.
+  /// The particles that the last call has pushed, some of them more than once; only if the case
+  /// has no contact walls.
   std::span<const PushedParticle> pushed() const { return pushed_; }
 
  private:
@@ -88,7 +89,7 @@ class WallContact {
 
   /// Gauss-Seidel sweeps over the corners of a surface.
   void push_out(std::size_t surface);
-  /// Adds what friction took, and lists the pushed particles.
+  /// Adds what friction took, and lists the particles for pushed().
   void conclude(std::size_t surface);
   /// Returns the distance by which it moves the corner, in the step or at its end [m].
   double push(PushedSurface<T, D>& surface, const MovableCorner& corner, const MetWall<D>& met,
