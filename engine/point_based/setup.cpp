@@ -1,11 +1,11 @@
 #include "engine/point_based/setup.hpp"
-#include "engine/boundaries/overhang.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "engine/blocks/point_blocks.hpp"
+#include "engine/boundaries/overhang.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/method/gravity.hpp"
