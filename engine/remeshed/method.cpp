@@ -8,6 +8,7 @@
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/stability.hpp"
 #include "engine/case/checks/thickness.hpp"
+#include "engine/case/checks/tools.hpp"
 #include "engine/case/placement.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
 #include "engine/method/gravity.hpp"
@@ -182,6 +183,11 @@ constexpr std::string_view error_at_reentrant_corners =
     "loads bend it there up to 15 % too far, large ones also up to 25 % too little, and vibrations "
     "gain or lose energy there";
 
+// Measured for blocks, docs/decisions/0079.
+constexpr std::string_view error_of_tools =
+    "in this method its force is 5 to 90 % too small, most for small tools; use method = "
+    "\"total_lagrangian\" or \"point_based\"";
+
 void warn_of_thin_walls(const Case& a_case, std::vector<std::string>& warnings) {
   for (const BoundaryCase& boundary : a_case.boundaries) {
     if (!is_too_thin(a_case, boundary)) continue;
@@ -217,6 +223,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_round_walls(a_case, error_at_round_walls, warnings);
   warn_of_thin_walls(a_case, warnings);
   warn_of_overhanging_bodies(a_case, warnings);
+  warn_of_tools(a_case, error_of_tools, warnings);
 }
 
 std::string remeshings(const Case& a_case) {

@@ -41,7 +41,8 @@ undeformed::ContactSurface<D> contact_surface(const Body<T, D>& body) {
     surface.add(body.surface.start[c], shares_of_corner(body, c),
                 largest_change * std::sqrt(dot<D>(from, from)));
   }
-  if (!body.has_cuts()) return surface;
+  surface.is_whole = !body.has_cuts();
+  if (surface.is_whole) return surface;
   body.for_each_node([&](std::int64_t slot) {
     surface.add(body.start[slot], std::array{Share{static_cast<std::int32_t>(slot), 1}});
   });

@@ -23,6 +23,7 @@ struct ContactSurface {
   /// [corner] bound on the difference between its displacement and that of its first carrier [m].
   std::vector<double> reach;
   std::vector<std::array<std::int32_t, D>> facet;  ///< corners, ordered as seen from outside
+  bool is_whole = true;                            ///< whether no cut divides its facets
   /// Corners from this one on are particles inside the body.
   std::int32_t first_inner = std::numeric_limits<std::int32_t>::max();
 

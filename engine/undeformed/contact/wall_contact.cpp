@@ -13,20 +13,36 @@ namespace pliant::undeformed {
 namespace {
 
 // Corners share particles, so a push may press a neighbour into the wall again, or out of it.
-constexpr int most_sweeps = 8;
-constexpr double settled = 1e-3;           // of the largest change in a sweep
-constexpr double least_compliance = 1e-3;  // along the normal, relative to other directions
+constexpr int most_sweeps = 32;
+constexpr double settled = 1e-3;  // of the largest change in a sweep
 
 Box<3> without_end() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
 }
 
+Face face_of(const Shape& shape, double spacing) {
+  constexpr double least_radius = 2;  // of a smooth tool [spacings]
+  switch (shape.kind) {
+    case Shape::Kind::half_space:
+      return Face::plane;
+    case Shape::Kind::ball:
+    case Shape::Kind::capsule:
+    case Shape::Kind::cylinder:
+      return shape.radius < least_radius * spacing ? Face::sharp : Face::smooth;
+    default:
+      return Face::sharp;
+  }
+}
+
 }  // namespace
 
 template <class T, int D>
 WallContact<T, D>::WallContact(State<D>& state, const Case& settings, Displacements<T, D> moved)
-    : state_(state), moved_(moved), search_(state, settings.discretisation.spacing) {
+    : state_(state),
+      moved_(moved),
+      search_(state, settings.discretisation.spacing),
+      meetings_(settings.discretisation.spacing) {
   for (std::size_t b = 0; b < settings.boundaries.size(); ++b) {
     const BoundaryCase& boundary = settings.boundaries[b];
     const int number = state_.boundaries.wall_of[b];
@@ -36,7 +52,11 @@ WallContact<T, D>::WallContact(State<D>& state, const Case& settings, Displaceme
     wall.source = &boundary;
     wall.friction = state_.boundaries.walls[number].friction();
     wall.box = boundary.rotation ? without_end() : bounding_box(boundary.geometry);
-    is_expected_ = is_expected_ || !state_.boundaries.walls[number].is_attached();
+    const bool is_attached = state_.boundaries.walls[number].is_attached();
+    is_expected_ = is_expected_ || !is_attached;
+    wall.face =
+        is_attached ? Face::plane : face_of(boundary.geometry, settings.discretisation.spacing);
+    has_tools_ = has_tools_ || wall.face != Face::plane;
   }
 }
 
@@ -59,19 +79,19 @@ template <class T, int D>
 void WallContact<T, D>::push_out(std::size_t s) {
   PushedSurface<T, D>& surface = surfaces_[s];
   const std::size_t outer = surface.outer_corners().size();
-  std::size_t near = 0;
-  for (std::size_t w = 0; w < walls_.size(); ++w)
-    near += state_.near_walls[w].soon.corners[s].size();
-  given_.assign(near, {});
+  meetings_.clear();
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    meetings_.add(surface, state_.near_walls[w].soon.corners[s],
+                  state_.boundaries.walls[walls_[w].number], walls_[w], search_);
+  }
   double first = 0;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0;
-    auto given = given_.begin();
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-      for (const std::int32_t corner : state_.near_walls[w].soon.corners[s]) {
-        const double moved = push(surface, surface.corners[corner], walls_[w], *given++);
+      for (WallMeeting<D>& meeting : meetings_.of_wall(w)) {
+        const double moved = push(surface, walls_[w], meeting);
         change = std::max(change, moved);
-        if (moved > 0 && static_cast<std::size_t>(corner) >= outer) {
+        if (moved > 0 && static_cast<std::size_t>(meeting.corner) >= outer) {
           state_.tool_inside = walls_[w].source;
         }
       }
@@ -85,15 +105,11 @@ void WallContact<T, D>::push_out(std::size_t s) {
 template <class T, int D>
 void WallContact<T, D>::conclude(std::size_t s) {
   const PushedSurface<T, D>& surface = surfaces_[s];
-  auto given = given_.begin();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    for (const std::int32_t number : state_.near_walls[w].soon.corners[s]) {
-      const MovableCorner& corner = surface.corners[number];
-      add_friction(surface, corner, walls_[w], *given);
-      const bool is_pushed = given->impulse > 0 || given->moved > 0;
-      ++given;
-      if (is_expected_ || !is_pushed) continue;
-      for (const Share& share : surface.carriers_of(corner)) {
+    for (const WallMeeting<D>& meeting : meetings_.of_wall(w)) {
+      add_friction(surface, walls_[w], meeting);
+      if (is_expected_ || !meeting.is_pushed()) continue;
+      for (const Share& share : meetings_.bearing_of(meeting)) {
         pushed_.push_back({static_cast<int>(s), share.slot});
       }
     }
@@ -101,58 +117,45 @@ void WallContact<T, D>::conclude(std::size_t s) {
 }
 
 template <class T, int D>
-double WallContact<T, D>::push(PushedSurface<T, D>& surface, const MovableCorner& corner,
-                               const MetWall<D>& met, Given& given) {
-  const bool has_met = given.impulse > 0 || given.moved > 0;
-  if (!has_met && surface.shape.shares(corner.number).size() > 2 &&
-      !search_.may_touch(surface, corner.number, met, 0)) {
-    return 0;
-  }
+double WallContact<T, D>::push(PushedSurface<T, D>& surface, const MetWall<D>& met,
+                               WallMeeting<D>& meeting) {
   Body<T, D>& body = *surface.body;
-  const Wall<D>& wall = state_.boundaries.walls[met.number];
-  Point<D> x = surface.place(corner.number);
-  // The wall is in its place at the start of the step.
-  Point<D> velocity = met.step.shift_at(x);
-  x = difference<D>(x, velocity);
-  if (!has_met && !search_.may_reach(met, x, 0)) return 0;
-  for (double& component : velocity) component /= met.length;
-  const double gap = wall.distance(x);
-  if (!has_met && gap >= 0) return 0;
-  const Point<D> n = wall.normal(x);
-  const std::span<const Share> bearing = surface.carriers_of(corner);
+  const std::span<const Share> bearing = meetings_.bearing_of(meeting);
+  const Point<D>& n = meeting.normal;
+  const double gap = meeting.offset + dot<D>(n, carried<T, D>(body.*moved_, bearing));
+  if (!meeting.is_pushed() && gap >= 0) return 0;
   BodyCarriers<T, D> carriers(body, body.*moved_, surface.held, met.inertia / met.kick);
-  const double along = compliance<D>(carriers, bearing, n);
-  if (along < least_compliance * corner.compliance) return 0;
-  const Point<D> slip = difference<D>(carried<T, D>(body.velocity, bearing), velocity);
+  const double along = meeting.compliance;
+  const Point<D> slip = difference<D>(carried<T, D>(body.velocity, bearing), meeting.velocity);
   const double normal_speed = dot<D>(slip, n);
   const bool in_middle = met.drift == met.length;
   const double impulse_now =
-      std::max((in_middle ? -gap / met.length : -normal_speed) / along, -given.impulse);
-  const double moved_now = std::max(-gap / along, -given.moved);
-  given.impulse += impulse_now;
-  given.moved += moved_now;
-  const Point<D> before = given.friction;
+      std::max((in_middle ? -gap / met.length : -normal_speed) / along, -meeting.impulse);
+  const double moved_now = std::max(-gap / along, -meeting.moved);
+  meeting.impulse += impulse_now;
+  meeting.moved += moved_now;
+  const Point<D> before = meeting.friction;
   Point<D> sliding;
   for (int a = 0; a < D; ++a) {
     sliding[a] = slip[a] - normal_speed * n[a];
-    given.friction[a] -= sliding[a] / along;
+    meeting.friction[a] -= sliding[a] / along;
   }
-  const double size = std::sqrt(dot<D>(given.friction, given.friction));
-  const double most = given.impulse > 0 ? met.friction * given.impulse : 0;
+  const double size = std::sqrt(dot<D>(meeting.friction, meeting.friction));
+  const double most = meeting.impulse > 0 ? met.friction * meeting.impulse : 0;
   if (size > most) {
-    for (double& component : given.friction) component *= most / size;
+    for (double& component : meeting.friction) component *= most / size;
   }
   Point<D> impulse, moved, on_body;
   for (int a = 0; a < D; ++a) {
-    const double friction = given.friction[a] - before[a];
+    const double friction = meeting.friction[a] - before[a];
     impulse[a] = impulse_now * n[a] + friction;
     moved[a] = moved_now * n[a] + met.drift * friction;
     on_body[a] = met.inertia * impulse[a];
-    state_.energy.wall_work += on_body[a] * velocity[a];
-    state_.power.wall_work += on_body[a] / met.kick * velocity[a];
+    state_.energy.wall_work += on_body[a] * meeting.velocity[a];
+    state_.power.wall_work += on_body[a] / met.kick * meeting.velocity[a];
   }
   Wrench<D> on_wall;
-  on_wall.add(x, on_body);
+  on_wall.add(meeting.place, on_body);
   state_.wall_impulse[met.number].add(on_wall, 1);
   state_.wall_force[met.number].add(on_wall, 1 / met.kick);
   push_point<D>(carriers, bearing, impulse, moved);
@@ -162,15 +165,13 @@ double WallContact<T, D>::push(PushedSurface<T, D>& surface, const MovableCorner
 // Loss by friction (PB.41). A sweep takes back what an earlier one has pushed too far: neither
 // alone does work.
 template <class T, int D>
-void WallContact<T, D>::add_friction(const PushedSurface<T, D>& surface,
-                                     const MovableCorner& corner, const MetWall<D>& met,
-                                     const Given& given) {
-  if (given.friction == Point<D>{}) return;
-  Point<D> velocity = met.step.shift_at(surface.place(corner.number));
-  for (double& component : velocity) component /= met.length;
-  const std::span<const Share> bearing = surface.carriers_of(corner);
-  const Point<D> slip = difference<D>(carried<T, D>(surface.body->velocity, bearing), velocity);
-  const double lost = -met.inertia * dot<D>(given.friction, slip);
+void WallContact<T, D>::add_friction(const PushedSurface<T, D>& surface, const MetWall<D>& met,
+                                     const WallMeeting<D>& meeting) {
+  if (meeting.friction == Point<D>{}) return;
+  const std::span<const Share> bearing = meetings_.bearing_of(meeting);
+  const Point<D> slip =
+      difference<D>(carried<T, D>(surface.body->velocity, bearing), meeting.velocity);
+  const double lost = -met.inertia * dot<D>(meeting.friction, slip);
   state_.energy.friction += lost;
   state_.power.friction += lost / met.kick;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/undeformed/contact/wall_meeting.hpp"
 #include "engine/undeformed/contact/wall_search.hpp"
 
 // Walls are rigid solids of any shape. Bodies can meet contact walls and leave them. The parts of a
@@ -62,13 +63,13 @@ class WallContact {
   /// small compared with the facets, or pressed in deeper than its radius, passes between the
   /// corners. The bodies must not move in memory.
   template <class Bodies>
-  void take_surfaces(Bodies& bodies, ImpulseCarriers bearing) {
+  void take_surfaces(Bodies& bodies, ImpulseCarriers carriers) {
     surfaces_.clear();
     if (walls_.empty()) return;
     for (auto& body : bodies) {
       ContactSurface<D> surface = contact_surface(body);
       if (is_expected_) add_inner_particles(body, surface);
-      surfaces_.emplace_back(body, moved_, std::move(surface), bearing);
+      surfaces_.emplace_back(body, moved_, std::move(surface), carriers, has_tools_);
     }
     search_.begin(surfaces_, walls_);
   }
@@ -81,30 +82,24 @@ class WallContact {
   std::span<const PushedParticle> pushed() const { return pushed_; }
 
  private:
-  /// What a wall has given to a corner in a step.
-  struct Given {
-    double impulse = 0, moved = 0;  ///< along the normal [N s], [kg m]
-    Point<D> friction = {};         ///< impulse along the wall [N s]
-  };
-
   /// Gauss-Seidel sweeps over the corners of a surface.
   void push_out(std::size_t surface);
   /// Adds what friction took, and lists the particles for pushed().
   void conclude(std::size_t surface);
   /// Returns the distance by which it moves the corner, in the step or at its end [m].
-  double push(PushedSurface<T, D>& surface, const MovableCorner& corner, const MetWall<D>& met,
-              Given& given);
+  double push(PushedSurface<T, D>& surface, const MetWall<D>& met, WallMeeting<D>& meeting);
   /// Adds the energy that friction on a corner took in the step.
-  void add_friction(const PushedSurface<T, D>& surface, const MovableCorner& corner,
-                    const MetWall<D>& met, const Given& given);
+  void add_friction(const PushedSurface<T, D>& surface, const MetWall<D>& met,
+                    const WallMeeting<D>& meeting);
 
   State<D>& state_;
   Displacements<T, D> moved_;
   bool is_expected_ = false;
+  bool has_tools_ = false;
   std::vector<MetWall<D>> walls_;
   std::vector<PushedSurface<T, D>> surfaces_;
   WallSearch<T, D> search_;
-  std::vector<Given> given_;  ///< [corner near a wall] of one surface, wall by wall
+  WallMeetings<T, D> meetings_;  ///< of one surface
   std::vector<PushedParticle> pushed_;
 };
 

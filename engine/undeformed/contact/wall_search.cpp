@@ -25,8 +25,10 @@ double largest_speed(const std::vector<PushedSurface<T, D>>& surfaces) {
   double square = 0;
   for (const PushedSurface<T, D>& surface : surfaces) {
     for (const MovableCorner& corner : surface.outer_corners()) {
-      const Point<D> u = carried<T, D>(surface.body->velocity, std::span(&corner.first, 1));
-      square = std::max(square, dot<D>(u, u));
+      const std::int32_t slot = surface.shape.shares(corner.number).front().slot;
+      double of_carrier = 0;
+      for (const auto& u : surface.body->velocity) of_carrier += double{u[slot]} * double{u[slot]};
+      square = std::max(square, of_carrier);
     }
   }
   return std::sqrt(square);
@@ -53,42 +55,6 @@ double speed_by_turn(const std::vector<PushedSurface<T, D>>& surfaces, const Met
 }
 
 }  // namespace
-
-template <class T, int D>
-PushedSurface<T, D>::PushedSurface(Body<T, D>& of, Displacements<T, D> displacements,
-                                   ContactSurface<D> surface, ImpulseCarriers bearing)
-    : body(&of),
-      moved(displacements),
-      shape(std::move(surface)),
-      held(held_directions(of)),
-      impulse_carriers(bearing) {
-  const BodyCarriers<T, D> carriers(of, of.*moved, held);
-  for (std::int32_t number = 0; number < shape.corners(); ++number) {
-    MovableCorner corner{number, {shape.shares(number).front().slot, 1}, 0};
-    for (int a = 0; a < D; ++a) {
-      Point<D> axis = {};
-      axis[a] = 1;
-      const double along = compliance<D>(carriers, carriers_of(corner), axis);
-      corner.compliance = std::max(corner.compliance, along);
-    }
-    if (!(corner.compliance > 0)) continue;
-    corners.push_back(corner);
-    if (number >= shape.first_inner) ++inner_corners;
-  }
-}
-
-template <class T, int D>
-std::span<const Share> PushedSurface<T, D>::carriers_of(const MovableCorner& corner) const {
-  if (impulse_carriers == ImpulseCarriers::first) return {&corner.first, 1};
-  return shape.shares(corner.number);
-}
-
-template <class T, int D>
-Point<D> PushedSurface<T, D>::place(std::int32_t corner) const {
-  Point<D> x = carried<T, D>(body->*moved, shape.shares(corner));
-  for (int a = 0; a < D; ++a) x[a] += shape.start[corner][a];
-  return x;
-}
 
 template <class T, int D>
 void WallSearch<T, D>::begin(const Surfaces& surfaces, const std::vector<MetWall<D>>& walls) {
@@ -174,7 +140,9 @@ void WallSearch<T, D>::list(std::size_t w, const Surfaces& surfaces, const MetWa
     listed.clear();
     const auto add_near_ones = [&](auto first, auto last) {
       std::copy_if(first, last, std::back_inserter(listed), [&](std::int32_t i) {
-        return !spared_[w][s][i] && may_touch(surface, surface.corners[i].number, wall, reach);
+        const std::int32_t corner = surface.corners[i].number;
+        const double around = wall.face == Face::plane ? 0 : surface.half_edge(corner);
+        return !spared_[w][s][i] && may_touch(surface, corner, wall, reach + around);
       });
     };
     const auto inner = std::lower_bound(among[s].begin(), among[s].end(),
@@ -215,10 +183,6 @@ bool WallSearch<T, D>::may_touch(const PushedSurface<T, D>& surface, std::int32_
   return may_reach(wall, x, reach) && state_.boundaries.walls[wall.number].distance(x) < reach;
 }
 
-template struct PushedSurface<double, 2>;
-template struct PushedSurface<double, 3>;
-template struct PushedSurface<float, 2>;
-template struct PushedSurface<float, 3>;
 template class WallSearch<double, 2>;
 template class WallSearch<double, 3>;
 template class WallSearch<float, 2>;

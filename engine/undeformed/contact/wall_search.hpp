@@ -5,43 +5,14 @@
 #include <vector>
 
 #include "engine/blocks/box.hpp"
-#include "engine/undeformed/contact/carried_points.hpp"
-#include "engine/undeformed/contact/contact_surface.hpp"
+#include "engine/undeformed/contact/pushed_surface.hpp"
 #include "engine/undeformed/state.hpp"
 
 namespace pliant::undeformed {
 
-/// A corner that can move: walls that hold its particles leave some direction free.
-struct MovableCorner {
-  std::int32_t number;
-  Share first;
-  double compliance;  ///< in the axis direction where it is largest [1/kg]
-};
-
-/// Which carriers of a corner take an impulse on it.
-enum class ImpulseCarriers { all, first };
-
-/// The surface of a body that walls may push.
-template <class T, int D>
-struct PushedSurface {
-  Body<T, D>* body;
-  Displacements<T, D> moved;  ///< where a step writes displacements
-  ContactSurface<D> shape;
-  HeldDirections<D> held;
-  ImpulseCarriers impulse_carriers;
-  std::vector<MovableCorner> corners;
-  std::size_t inner_corners = 0;  ///< those at the end of the list that are inside the body
-
-  PushedSurface(Body<T, D>& of, Displacements<T, D> displacements, ContactSurface<D> surface,
-                ImpulseCarriers bearing);
-  std::span<const Share> carriers_of(const MovableCorner& corner) const;
-  /// Those that are not inside the body.
-  std::span<const MovableCorner> outer_corners() const {
-    return std::span(corners).first(corners.size() - inner_corners);
-  }
-  /// Place at the end of the step [m].
-  Point<D> place(std::int32_t corner) const;
-};
+/// How a surface meets a wall: with its corners alone, with the means of the facets around them,
+/// or with corners and the middles between them, (TL.35).
+enum class Face { plane, smooth, sharp };
 
 /// A wall during a step.
 template <int D>
@@ -52,6 +23,7 @@ struct MetWall {
   double length;       ///< of the step [s]
   double kick, drift;  ///< how long forces act, and particles move at the new velocities [s]
   double inertia;      ///< ratio of the impulse to that on the unscaled mass
+  Face face;           ///< how a surface meets it
   double friction;     ///< coefficient; infinite for no-slip
   Box<3> box;          ///< around the solid at rest; infinite if the wall turns
 };
@@ -94,10 +66,6 @@ class WallSearch {
   std::vector<std::vector<std::vector<bool>>> spared_;
 };
 
-extern template struct PushedSurface<double, 2>;
-extern template struct PushedSurface<double, 3>;
-extern template struct PushedSurface<float, 2>;
-extern template struct PushedSurface<float, 3>;
 extern template class WallSearch<double, 2>;
 extern template class WallSearch<double, 3>;
 extern template class WallSearch<float, 2>;

@@ -1,0 +1,82 @@
+#include "engine/case/checks/tools.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/geometry/signed_distance.hpp"
+
+namespace pliant {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The least width of `wall` across the axes along which the boxes overlap.
+double width_beside(const Box<3>& wall, const Box<3>& body, int dimension) {
+  double width = infinity;
+  for (int a = 0; a < dimension; ++a) {
+    const double rounding = 1e-9 * (body.upper[a] - body.lower[a]);
+    const bool is_apart =
+        wall.lower[a] > body.upper[a] - rounding || wall.upper[a] < body.lower[a] + rounding;
+    const bool covers =
+        wall.lower[a] < body.lower[a] + rounding && wall.upper[a] > body.upper[a] - rounding;
+    if (!is_apart && !covers) width = std::min(width, wall.upper[a] - wall.lower[a]);
+  }
+  return width;
+}
+
+bool is_round(const Shape& shape) {
+  using enum Shape::Kind;
+  return shape.kind == ball || shape.kind == capsule || shape.kind == cylinder;
+}
+
+double least_width(const Case& a_case, const BoundaryCase& wall) {
+  double width = infinity;
+  for (const BodyCase& body : a_case.bodies) {
+    width = std::min(width, width_of_tool(a_case, wall, body));
+  }
+  return width;
+}
+
+}  // namespace
+
+double width_of_tool(const Case& a_case, const BoundaryCase& wall, const BodyCase& body) {
+  if (wall.kind != BoundaryCase::Kind::contact_wall) return infinity;
+  const Shape& shape = wall.geometry;
+  if (is_round(shape)) return 2 * shape.radius;
+  using enum Shape::Kind;
+  if (shape.kind != box && shape.kind != mesh && shape.kind != intersect) return infinity;
+  return width_beside(bounding_box(shape), bounding_box(body.geometry), a_case.dimension);
+}
+
+void warn_of_narrow_tools(const Case& a_case, std::span<const NarrowToolError> edged,
+                          std::span<const NarrowToolError> round,
+                          std::vector<std::string>& warnings) {
+  const double h = a_case.discretisation.spacing;
+  for (const BoundaryCase& wall : a_case.boundaries) {
+    const double width = least_width(a_case, wall);
+    const std::span<const NarrowToolError> errors = is_round(wall.geometry) ? round : edged;
+    const auto error = std::ranges::find_if(
+        errors, [&](const NarrowToolError& e) { return width < e.across * h; });
+    if (error == errors.end()) continue;
+    warnings.push_back(fmt::format(
+        "the contact wall `{}` is {:.2g} spacings wide: its force deviates by up to {} %; use a "
+        "finer spacing (discretisation.spacing = {:.3g} or below)",
+        wall.name, width / h, error->deviation, width / errors.back().across));
+  }
+}
+
+void warn_of_tools(const Case& a_case, std::string_view deviation,
+                   std::vector<std::string>& warnings) {
+  for (const BoundaryCase& wall : a_case.boundaries) {
+    if (std::isinf(least_width(a_case, wall))) continue;
+    warnings.push_back(
+        fmt::format("the contact wall `{}` is round, or presses on a part of a body only: {}",
+                    wall.name, deviation));
+  }
+}
+
+}  // namespace pliant

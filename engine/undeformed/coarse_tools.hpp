@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/case/checks/tools.hpp"
+
+namespace pliant::undeformed {
+
+/// Warns of contact walls that are narrow in spacings, as measured for punches and balls that are
+/// pressed into blocks, docs/decisions/0079.
+inline void warn_of_coarse_tools(const Case& a_case, std::vector<std::string>& warnings) {
+  static constexpr NarrowToolError edged[] = {{4.1, 30}, {8.5, 13}}, round[] = {{2, 100}, {4, 16}};
+  warn_of_narrow_tools(a_case, edged, round, warnings);
+}
+
+}  // namespace pliant::undeformed
