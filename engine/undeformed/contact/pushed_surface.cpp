@@ -42,11 +42,15 @@ std::span<const Share> PushedSurface<T, D>::bearing(std::int32_t corner) const {
 template <class T, int D>
 void PushedSurface<T, D>::find_facets() {
   facets_at_.resize(shape.corners());
+  neighbours_.resize(shape.corners());
   half_edge_.resize(shape.corners());
   for (std::size_t f = 0; f < shape.facet.size(); ++f) {
     for (const std::int32_t corner : shape.facet[f]) {
       facets_at_[corner].push_back(static_cast<std::int32_t>(f));
       for (const std::int32_t other : shape.facet[f]) {
+        std::vector<std::int32_t>& known = neighbours_[corner];
+        if (other == corner || std::ranges::count(known, other) > 0) continue;
+        known.push_back(other);
         const double length = norm<D>(difference<D>(shape.start[corner], shape.start[other]));
         half_edge_[corner] = std::max(half_edge_[corner], length / 2);
       }
@@ -58,6 +62,12 @@ template <class T, int D>
 std::span<const std::int32_t> PushedSurface<T, D>::facets_at(std::int32_t corner) const {
   if (facets_at_.empty()) return {};
   return facets_at_[corner];
+}
+
+template <class T, int D>
+std::span<const std::int32_t> PushedSurface<T, D>::neighbours(std::int32_t corner) const {
+  if (neighbours_.empty()) return {};
+  return neighbours_[corner];
 }
 
 template <class T, int D>

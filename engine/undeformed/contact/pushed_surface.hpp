@@ -29,7 +29,7 @@ struct PushedSurface {
   std::vector<MovableCorner> corners;
   std::size_t inner_corners = 0;  ///< those at the end of the list that are inside the body
 
-  /// With the facets at each corner if `meets_tools`.
+  /// With the facets and neighbours of each corner if `meets_tools`.
   PushedSurface(Body<T, D>& of, Displacements<T, D> displacements, ContactSurface<D> surface,
                 ImpulseCarriers carriers, bool meets_tools);
   /// Those that are not inside the body.
@@ -40,6 +40,8 @@ struct PushedSurface {
   std::span<const Share> bearing(std::int32_t corner) const;
   /// Numbers of the facets at a corner.
   std::span<const std::int32_t> facets_at(std::int32_t corner) const;
+  /// The other corners of these facets, each once.
+  std::span<const std::int32_t> neighbours(std::int32_t corner) const;
   /// Half of the length of their longest edge at the corner, in the undeformed body [m]; 0 without.
   double half_edge(std::int32_t corner) const;
   /// Place at the end of the step [m].
@@ -48,9 +50,10 @@ struct PushedSurface {
  private:
   void find_facets();
 
-  std::vector<Share> first_carrier_;                  ///< [corner], unless all take impulses
-  std::vector<std::vector<std::int32_t>> facets_at_;  ///< [corner], or empty
-  std::vector<double> half_edge_;                     ///< [corner], or empty
+  std::vector<Share> first_carrier_;  ///< [corner], unless all take impulses
+  /// [corner], or empty
+  std::vector<std::vector<std::int32_t>> facets_at_, neighbours_;
+  std::vector<double> half_edge_;  ///< [corner], or empty
 };
 
 extern template struct PushedSurface<double, 2>;

@@ -33,9 +33,7 @@ void WallMeetings<T, D>::add(const PushedSurface<T, D>& surface, std::span<const
     if (met.face == Face::smooth) weigh_facets(surface, wall, met);
     add_meeting(surface, candidate.index, samples_, wall, met);
   }
-  if (met.face == Face::sharp) {
-    for (const Candidate& candidate : candidates_) add_middles(surface, candidate, wall, met);
-  }
+  if (met.face == Face::sharp) add_middles(surface, wall, met);
   first_.push_back(meetings_.size());
 }
 
@@ -46,38 +44,24 @@ void WallMeetings<T, D>::find_candidates(const PushedSurface<T, D>& surface,
   candidates_.clear();
   for (const std::int32_t index : near) {
     const std::int32_t corner = surface.corners[index].number;
-    const double reach = margin_ + (met.face == Face::plane ? 0 : surface.half_edge(corner));
+    const double reach = margin_ + reach_of_facets(met.face, surface.half_edge(corner));
     const bool has_many_carriers = surface.shape.shares(corner).size() > 2;
     if (has_many_carriers && !search.may_touch(surface, corner, met, reach)) continue;
-    Sample own = sample(surface, corner, corner, met);
+    const Point<D> x = surface.place(corner);
+    Sample own = sample(corner, x, corner, x, met);
     if (!search.may_reach(met, own.place, reach)) continue;
     own.gap = wall.distance(own.place);
-    own.weight = 1;
     if (own.gap < reach) candidates_.push_back({index, own});
   }
 }
 
 template <class T, int D>
-auto WallMeetings<T, D>::sample(const PushedSurface<T, D>& surface, std::int32_t corner,
-                                std::int32_t other, const MetWall<D>& met) -> Sample {
-  Point<D> x = surface.place(corner);
-  if (other != corner) {
-    const Point<D> end = surface.place(other);
-    for (int a = 0; a < D; ++a) x[a] = 0.5 * (x[a] + end[a]);
-  }
-  const Point<D> shift = met.step.shift_at(x);
-  return {corner, other, 0, shift, difference<D>(x, shift), 0};
-}
-
-template <class T, int D>
-auto WallMeetings<T, D>::middle_to(const PushedSurface<T, D>& surface, std::int32_t other,
-                                   const Wall<D>& wall, const MetWall<D>& met) -> Sample& {
-  for (Sample& known : samples_) {
-    if (known.other == other) return known;
-  }
-  Sample middle = sample(surface, samples_.front().corner, other, met);
-  middle.gap = wall.distance(middle.place);
-  return samples_.emplace_back(middle);
+auto WallMeetings<T, D>::sample(std::int32_t corner, const Point<D>& x, std::int32_t other,
+                                const Point<D>& y, const MetWall<D>& met) -> Sample {
+  Point<D> middle;
+  for (int a = 0; a < D; ++a) middle[a] = 0.5 * (x[a] + y[a]);
+  const Point<D> shift = met.step.shift_at(middle);
+  return {corner, other, 1, shift, difference<D>(middle, shift), 0};
 }
 
 // (TL.35)
@@ -85,74 +69,87 @@ template <class T, int D>
 void WallMeetings<T, D>::weigh_facets(const PushedSurface<T, D>& surface, const Wall<D>& wall,
                                       const MetWall<D>& met) {
   constexpr double facing = 0.5;  // cosine of the angle between the normals
-  const std::int32_t corner = samples_.front().corner;
-  const Point<D> n = wall.normal(samples_.front().place);
-  samples_.front().weight = 0;
+  Sample& own = samples_.front();
+  const std::int32_t corner = own.corner;
+  const std::span<const std::int32_t> neighbours = surface.neighbours(corner);
+  places_.assign(1, surface.place(corner));
+  weights_.assign(1 + neighbours.size(), 0);
+  for (const std::int32_t other : neighbours) places_.push_back(surface.place(other));
+  const Point<D> n = wall.normal(own.place);
   for (const std::int32_t f : surface.facets_at(corner)) {
-    const std::array<std::int32_t, D>& facet = surface.shape.facet[f];
+    std::array<std::size_t, D> at = {};  // 0: the corner itself
     std::array<Point<D>, D> x;
-    for (int v = 0; v < D; ++v) x[v] = surface.place(facet[v]);
+    for (int v = 0; v < D; ++v) {
+      const std::int32_t number = surface.shape.facet[f][v];
+      if (number != corner)
+        at[v] = 1 + (std::ranges::find(neighbours, number) - neighbours.begin());
+      x[v] = places_[at[v]];
+    }
     const Point<D> area = area_vector<D>(x);
     const double size = norm<D>(area);
     if (dot<D>(area, n) > -facing * size) continue;
-    samples_.front().weight += corner_weight<D> * size;
-    for (const std::int32_t other : facet) {
-      if (other == corner) continue;
-      middle_to(surface, other, wall, met).weight += (1 - corner_weight<D>) / (D - 1) * size;
+    for (int v = 0; v < D; ++v) {
+      weights_[at[v]] += size * (at[v] == 0 ? corner_weight<D> : (1 - corner_weight<D>) / (D - 1));
     }
   }
-  if (samples_.size() == 1) samples_.front().weight = 1;
-}
-
-template <class T, int D>
-void WallMeetings<T, D>::add_middles(const PushedSurface<T, D>& surface, const Candidate& candidate,
-                                     const Wall<D>& wall, const MetWall<D>& met) {
-  const std::int32_t corner = candidate.sample.corner;
-  samples_.assign(1, candidate.sample);
-  for (const std::int32_t f : surface.facets_at(corner)) {
-    for (const std::int32_t other : surface.shape.facet[f]) {
-      if (corner < other || !is_candidate(other)) middle_to(surface, other, wall, met).weight = 1;
-    }
-  }
-  for (std::size_t i = 1; i < samples_.size(); ++i) {
-    add_meeting(surface, candidate.index, std::span(samples_).subspan(i, 1), wall, met);
+  if (weights_[0] > 0) own.weight = weights_[0];
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    if (weights_[1 + i] == 0) continue;
+    Sample middle = sample(corner, places_[0], neighbours[i], places_[1 + i], met);
+    middle.gap = wall.distance(middle.place);
+    middle.weight = weights_[1 + i];
+    samples_.push_back(middle);
   }
 }
 
 template <class T, int D>
-bool WallMeetings<T, D>::is_candidate(std::int32_t corner) const {
-  const auto at = std::lower_bound(
-      candidates_.begin(), candidates_.end(), corner,
-      [](const Candidate& one, std::int32_t number) { return one.sample.corner < number; });
-  return at != candidates_.end() && at->sample.corner == corner;
+void WallMeetings<T, D>::add_middles(const PushedSurface<T, D>& surface, const Wall<D>& wall,
+                                     const MetWall<D>& met) {
+  constexpr double alike = 1e-9;  // cosines of the angle between normals on a plane
+  candidate_at_.resize(surface.shape.corners(), -1);
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    candidates_[i].normal = wall.normal(candidates_[i].sample.place);
+    candidate_at_[candidates_[i].sample.corner] = static_cast<std::int32_t>(i);
+  }
+  for (const Candidate& candidate : candidates_) {
+    const std::int32_t corner = candidate.sample.corner;
+    for (const std::int32_t other : surface.neighbours(corner)) {
+      if (const std::int32_t at = candidate_at_[other]; at >= 0) {
+        const bool is_flat = dot<D>(candidate.normal, candidates_[at].normal) > 1 - alike;
+        if (other < corner || is_flat) continue;
+      }
+      Sample middle = sample(corner, surface.place(corner), other, surface.place(other), met);
+      middle.gap = wall.distance(middle.place);
+      add_meeting(surface, candidate.index, {&middle, 1}, wall, met);
+    }
+  }
+  for (const Candidate& candidate : candidates_) candidate_at_[candidate.sample.corner] = -1;
 }
 
 template <class T, int D>
 void WallMeetings<T, D>::add_meeting(const PushedSurface<T, D>& surface, std::int32_t index,
                                      std::span<const Sample> samples, const Wall<D>& wall,
                                      const MetWall<D>& met) {
-  double sum = 0, least = margin_;
+  double sum = 0, gap = 0;
   for (const Sample& s : samples) {
     sum += s.weight;
-    least = std::min(least, s.gap);
+    gap += s.weight * s.gap;
   }
-  if (least >= margin_) return;
+  gap /= sum;
+  if (gap >= margin_) return;
   WallMeeting<D> meeting;
   meeting.corner = index;
   const std::size_t first = bearing_.size();
   for (const Sample& s : samples) {
     const double weight = s.weight / sum;
-    const Point<D> normal = wall.normal(s.place);
     for (int a = 0; a < D; ++a) {
-      meeting.normal[a] += weight * normal[a];
       meeting.place[a] += weight * s.place[a];
       meeting.velocity[a] += weight * s.shift[a] / met.length;
     }
-    meeting.offset += weight * s.gap;
     add_bearing(surface, s.corner, 0.5 * weight, first);
     add_bearing(surface, s.other, 0.5 * weight, first);
   }
-  normalise<D>(meeting.normal);
+  meeting.normal = wall.normal(meeting.place);
   meeting.first_bearing = static_cast<std::int32_t>(first);
   meeting.last_bearing = static_cast<std::int32_t>(bearing_.size());
   Body<T, D>& body = *surface.body;
@@ -163,7 +160,7 @@ void WallMeetings<T, D>::add_meeting(const PushedSurface<T, D>& surface, std::in
     bearing_.resize(first);
     return;
   }
-  meeting.offset -= dot<D>(meeting.normal, carried<T, D>(body.*surface.moved, bearing));
+  meeting.offset = gap - dot<D>(meeting.normal, carried<T, D>(body.*surface.moved, bearing));
   meetings_.push_back(meeting);
 }
 

@@ -60,24 +60,19 @@ class WallMeetings {
   struct Candidate {
     std::int32_t index;  ///< in the corners of the surface
     Sample sample;
+    Point<D> normal = {};  ///< of a wall with edges
   };
 
   void find_candidates(const PushedSurface<T, D>& surface, std::span<const std::int32_t> near,
                        const Wall<D>& wall, const MetWall<D>& met, const WallSearch<T, D>& search);
-  /// Without its weight and gap.
-  static Sample sample(const PushedSurface<T, D>& surface, std::int32_t corner, std::int32_t other,
-                       const MetWall<D>& met);
-  /// The middle between the corner of the first sample and another one, among the samples.
-  Sample& middle_to(const PushedSurface<T, D>& surface, std::int32_t other, const Wall<D>& wall,
-                    const MetWall<D>& met);
-  /// Weighs the corner that is the only sample, and adds the middles of the facets that face the
-  /// wall.
+  /// That between a corner at x and another one at y, of weight 1, without its gap.
+  static Sample sample(std::int32_t corner, const Point<D>& x, std::int32_t other,
+                       const Point<D>& y, const MetWall<D>& met);
+  /// Weighs the corner that is the only sample, and adds the middles of the edges of facets that
+  /// face the wall.
   void weigh_facets(const PushedSurface<T, D>& surface, const Wall<D>& wall, const MetWall<D>& met);
-  /// Adds meetings of the middles of the edges at a corner; the first of two candidates has that
-  /// between them.
-  void add_middles(const PushedSurface<T, D>& surface, const Candidate& candidate,
-                   const Wall<D>& wall, const MetWall<D>& met);
-  bool is_candidate(std::int32_t corner) const;
+  /// Adds the middles of the edges at the candidates, unless both ends are on one plane.
+  void add_middles(const PushedSurface<T, D>& surface, const Wall<D>& wall, const MetWall<D>& met);
   /// Adds the mean of `samples` unless all of them are farther from the wall than the margin.
   void add_meeting(const PushedSurface<T, D>& surface, std::int32_t index,
                    std::span<const Sample> samples, const Wall<D>& wall, const MetWall<D>& met);
@@ -88,8 +83,11 @@ class WallMeetings {
   std::vector<WallMeeting<D>> meetings_;
   std::vector<std::size_t> first_ = {0};  ///< [wall + 1]
   std::vector<Share> bearing_;
-  std::vector<Candidate> candidates_;  ///< ascending
-  std::vector<Sample> samples_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::int32_t> candidate_at_;  ///< [corner] its number among them, or -1
+  std::vector<Sample> samples_;             ///< of one meeting
+  std::vector<Point<D>> places_;            ///< of a corner and its neighbours
+  std::vector<double> weights_;             ///< of the samples between them
 };
 
 extern template class WallMeetings<double, 2>;

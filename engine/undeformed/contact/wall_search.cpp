@@ -141,7 +141,7 @@ void WallSearch<T, D>::list(std::size_t w, const Surfaces& surfaces, const MetWa
     const auto add_near_ones = [&](auto first, auto last) {
       std::copy_if(first, last, std::back_inserter(listed), [&](std::int32_t i) {
         const std::int32_t corner = surface.corners[i].number;
-        const double around = wall.face == Face::plane ? 0 : surface.half_edge(corner);
+        const double around = reach_of_facets(wall.face, surface.half_edge(corner));
         return !spared_[w][s][i] && may_touch(surface, corner, wall, reach + around);
       });
     };

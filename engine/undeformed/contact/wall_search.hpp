@@ -14,6 +14,20 @@ namespace pliant::undeformed {
 /// or with corners and the middles between them, (TL.35).
 enum class Face { plane, smooth, sharp };
 
+/// How far from a wall a corner may be that meets it with its facets; `half_edge` is half of the
+/// longest edge at the corner. A round wall rises above chords by less than a quarter of that.
+inline double reach_of_facets(Face face, double half_edge) {
+  switch (face) {
+    case Face::plane:
+      return 0;
+    case Face::smooth:
+      return half_edge / 4;
+    case Face::sharp:
+      return half_edge;
+  }
+  return half_edge;
+}
+
 /// A wall during a step.
 template <int D>
 struct MetWall {
