@@ -7,12 +7,13 @@
 
 namespace pliant::undeformed {
 
-/// Warns of contact walls that are narrow in spacings, as measured for punches and balls that are
-/// pressed into blocks, docs/decisions/0079.
+/// Warns of walls that are narrow in spacings, as measured for punches and balls that are pressed
+/// into blocks, loose or bonded to them, docs/decisions/0079.
 inline void warn_of_coarse_tools(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr NarrowToolError edged[] = {{4.1, 30}, {8.5, 13}};
   static constexpr NarrowToolError round[] = {{2, 100}, {3, 16}, {4, 5}};
-  warn_of_narrow_tools(a_case, edged, round, warnings);
+  static constexpr NarrowToolError attached[] = {{4.1, 12}, {5.5, 8}, {8.5, 5}};
+  warn_of_narrow_tools(a_case, {edged, round, attached}, warnings);
 }
 
 }  // namespace pliant::undeformed

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/case/vocabulary/boundary_kinds.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
 namespace pliant {
@@ -33,6 +34,10 @@ bool is_round(const Shape& shape) {
   return shape.kind == ball || shape.kind == capsule || shape.kind == cylinder;
 }
 
+bool is_contact_wall(const BoundaryCase& wall) {
+  return wall.kind == BoundaryCase::Kind::contact_wall;
+}
+
 double least_width(const Case& a_case, const BoundaryCase& wall) {
   double width = infinity;
   for (const BodyCase& body : a_case.bodies) {
@@ -44,27 +49,28 @@ double least_width(const Case& a_case, const BoundaryCase& wall) {
 }  // namespace
 
 double width_of_tool(const Case& a_case, const BoundaryCase& wall, const BodyCase& body) {
-  if (wall.kind != BoundaryCase::Kind::contact_wall) return infinity;
+  if (!row_of(wall.kind).is_wall) return infinity;
   const Shape& shape = wall.geometry;
-  if (is_round(shape)) return 2 * shape.radius;
+  if (is_round(shape)) return is_contact_wall(wall) ? 2 * shape.radius : infinity;
   using enum Shape::Kind;
   if (shape.kind != box && shape.kind != mesh && shape.kind != intersect) return infinity;
   return width_beside(bounding_box(shape), bounding_box(body.geometry), a_case.dimension);
 }
 
-void warn_of_narrow_tools(const Case& a_case, std::span<const NarrowToolError> edged,
-                          std::span<const NarrowToolError> round,
+void warn_of_narrow_tools(const Case& a_case, const NarrowToolErrors& all_errors,
                           std::vector<std::string>& warnings) {
   const double h = a_case.discretisation.spacing;
   for (const BoundaryCase& wall : a_case.boundaries) {
     const double width = least_width(a_case, wall);
-    const std::span<const NarrowToolError> errors = is_round(wall.geometry) ? round : edged;
+    const std::span<const NarrowToolError> errors = !is_contact_wall(wall)    ? all_errors.attached
+                                                    : is_round(wall.geometry) ? all_errors.round
+                                                                              : all_errors.edged;
     const auto error = std::ranges::find_if(
         errors, [&](const NarrowToolError& e) { return width < e.across * h; });
     if (error == errors.end()) continue;
     warnings.push_back(fmt::format(
-        "the contact wall `{}` is {:.2g} spacings wide: its force deviates by up to {} %; use a "
-        "finer spacing (discretisation.spacing = {:.3g} or below)",
+        "the wall `{}` is {:.2g} spacings wide: its force deviates by up to {} %; use a finer "
+        "spacing (discretisation.spacing = {:.3g} or below)",
         wall.name, width / h, error->deviation, width / errors.back().across));
   }
 }
@@ -72,7 +78,7 @@ void warn_of_narrow_tools(const Case& a_case, std::span<const NarrowToolError> e
 void warn_of_tools(const Case& a_case, std::string_view deviation,
                    std::vector<std::string>& warnings) {
   for (const BoundaryCase& wall : a_case.boundaries) {
-    if (std::isinf(least_width(a_case, wall))) continue;
+    if (!is_contact_wall(wall) || std::isinf(least_width(a_case, wall))) continue;
     warnings.push_back(
         fmt::format("the contact wall `{}` is round, or presses on a part of a body only: {}",
                     wall.name, deviation));

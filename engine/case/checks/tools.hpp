@@ -15,15 +15,19 @@ struct NarrowToolError {
   int deviation;  ///< [%]
 };
 
-/// How wide the part of a contact wall is that may press on a body [m]: its diameter if it is
-/// round, else the least width of its bounding box beside the body; infinite if it is as wide as
-/// the body, as a plate is, and for walls that surround a body.
+/// The errors of walls that meet a part of a face, each in ascending order of `across`.
+struct NarrowToolErrors {
+  std::span<const NarrowToolError> edged, round;  ///< contact walls
+  std::span<const NarrowToolError> attached;      ///< walls that hold a body
+};
+
+/// How wide the part of a wall is that meets a body [m]: its diameter if it is a round contact
+/// wall, else the least width of its bounding box beside the body; infinite if it is as wide as
+/// the body, as a plate is, for walls that surround a body, and for round walls that hold one.
 double width_of_tool(const Case& a_case, const BoundaryCase& wall, const BodyCase& body);
 
-/// Adds a warning for each contact wall that is narrow, by the errors of walls with edges or of
-/// round ones, each in ascending order of `across`.
-void warn_of_narrow_tools(const Case& a_case, std::span<const NarrowToolError> edged,
-                          std::span<const NarrowToolError> round,
+/// Adds a warning for each wall that is narrow.
+void warn_of_narrow_tools(const Case& a_case, const NarrowToolErrors& errors,
                           std::vector<std::string>& warnings);
 
 /// Adds a warning for each contact wall that presses on a part of a body only; `deviation` says

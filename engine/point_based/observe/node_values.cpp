@@ -11,6 +11,7 @@
 #include "engine/method/field_components.hpp"
 #include "engine/method/no_value.hpp"
 #include "engine/method/polynomial_fit.hpp"
+#include "engine/method/region_share.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 
 namespace pliant::point_based {
@@ -105,14 +106,64 @@ double point_displacement(const Body<T, D>& body, const Vector& start, std::int6
   return sum / weights;
 }
 
+namespace {
+
+/// The cell of a node: a cube, of which the sides without neighbours are cut off at the node. Runs
+/// from `lower` to `lower` + `sides` around the node in the undeformed body [m].
+template <int D>
+struct NodeCell {
+  Point<D> lower, sides;
+};
+
+template <class T, int D>
+NodeCell<D> cell_of(const Body<T, D>& body, std::int64_t slot, double volume) {
+  constexpr double beside = 0.25;  // [H] a neighbour on this side of the node
+  Point<D> below = {}, above = {};
+  body.for_each_bond(body.block_of(slot), slot,
+                     [&](int, std::int64_t other, const Point<D>&, double) {
+                       const Point<D> way = difference<D>(body.start[other], body.start[slot]);
+                       for (int a = 0; a < D; ++a) {
+                         if (way[a] > beside * body.resolution) above[a] = 0.5;
+                         if (way[a] < -beside * body.resolution) below[a] = 0.5;
+                       }
+                     });
+  double share = 1;  // of the cube
+  for (int a = 0; a < D; ++a) share *= std::max(below[a] + above[a], 0.5);
+  const double size = std::pow(volume / share, 1. / D);
+  NodeCell<D> cell;
+  for (int a = 0; a < D; ++a) {
+    cell.lower[a] = -below[a] * size;
+    cell.sides[a] = (below[a] + above[a]) * size;
+  }
+  return cell;
+}
+
+/// The share of the cell of a node that a measurement selects.
+template <class T, int D>
+double selected_share(const Body<T, D>& body, std::int64_t slot, const MeasurementCase& m,
+                      double t) {
+  if (!m.where) return 1;
+  const NodeCell<D> cell = cell_of<T, D>(body, slot, body.mass[slot] / body.material.density);
+  const std::array<double, D* D> f = present_gradient(body, body.block_of(slot), slot);
+  return share_in_region<D>(*m.where, t, [&](const Point<D>& r) {
+    Point<D> x = body.position(slot);
+    for (int a = 0; a < D; ++a) {
+      for (int b = 0; b < D; ++b) x[a] += f[D * a + b] * (cell.lower[b] + r[b] * cell.sides[b]);
+    }
+    return x;
+  });
+}
+
+}  // namespace
+
 template <class T, int D>
 double mean_value(const Body<T, D>& body, const MeasurementCase& m, double t) {
   double sum = 0, volume = 0;
   body.for_each_node([&](std::int64_t slot) {
-    const Vector x = padded<D>(body.position(slot));
-    if (m.where && (*m.where)(x[0], x[1], x[2], t) == 0) return;
+    const double share = selected_share(body, slot, m, t);
+    if (share == 0) return;
     const NodeState<D> node = node_state(body, body.block_of(slot), slot);
-    const double v = body.mass[slot] / body.material.density * node.volume_ratio;
+    const double v = share * body.mass[slot] / body.material.density * node.volume_ratio;
     sum += v * node_value(body, slot, m.field);
     volume += v;
   });

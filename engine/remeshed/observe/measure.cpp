@@ -8,6 +8,7 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/lattice/corner_weights.hpp"
 #include "engine/method/no_value.hpp"
+#include "engine/method/region_share.hpp"
 #include "engine/method/velocity_error.hpp"
 #include "engine/remeshed/contact/contact_momentum_correction.hpp"
 #include "engine/remeshed/level_set/interpolant.hpp"
@@ -143,14 +144,21 @@ double Measurer<T, D>::mean_value(const MeasurementCase& m) {
   const LatticeView<T, D> particles{body, body.population, body.stage[0]};
   const bool is_strain = m.field.starts_with("strain");
   const double t = state_.clock.time;
+  const auto in_cell_around = [&](const Point<D>& centre) {
+    return [&, centre](const Point<D>& r) {
+      Point<D> x = centre;
+      for (int a = 0; a < D; ++a) x[a] += (r[a] - 0.5) * settings_.discretisation.spacing;
+      return x;
+    };
+  };
   double sum = 0, volume = 0;
   for (const Block<D>& block : body.population.layout.blocks()) {
     body.population.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       if (body.population.kind[p] != pliant::remeshed::Kind::interior) return;
       const Point<D> at = body.position(p, cell);
-      const Vector x = padded<D>(at);
-      if (m.where && (*m.where)(x[0], x[1], x[2], t) == 0) return;
-      const double v = body.stage[0].get(Field::volume)[p];
+      const double share = m.where ? share_in_region<D>(*m.where, t, in_cell_around(at)) : 1;
+      if (share == 0) return;
+      const double v = share * body.stage[0].get(Field::volume)[p];
       sum += v * (is_strain ? strain_around<T, D>(particles, cell, at, m.field)
                             : field_value<T, D>(body, body.stage[0], m.field, p));
       volume += v;

@@ -8,6 +8,7 @@
 #include "engine/method/field_components.hpp"
 #include "engine/method/no_value.hpp"
 #include "engine/method/polynomial_fit.hpp"
+#include "engine/method/region_share.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant::total_lagrangian {
@@ -58,6 +59,27 @@ double cell_value(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell
   if (field == "density") return body.material.density / point.volume_ratio;
   if (field.starts_with("strain")) return strain_value<D>(point.deformation_gradient, field);
   return stress_value(full_stress<D>(point.stress, point.pressure), field);
+}
+
+/// The share of a cell that a measurement selects.
+template <class T, int D>
+double selected_share(const Body<T, D>& body, const Cell<D>& cell, const MeasurementCase& m,
+                      double t) {
+  if (!m.where) return 1;
+  const std::array<std::int64_t, (1 << D)> corners = body.corners(cell);
+  return share_in_region<D>(*m.where, t, [&](const Point<D>& r) {
+    Point<D> x;
+    for (int a = 0; a < D; ++a) {
+      x[a] = body.lattice.node(cell)[a] + r[a] * body.lattice.spacing;
+    }
+    for (int c = 0; c < 1 << D; ++c) {
+      double weight = 1;
+      for (int a = 0; a < D; ++a) weight *= (c >> a) & 1 ? r[a] : 1 - r[a];
+      const Point<D> shift = body.shift(corners[c]);
+      for (int a = 0; a < D; ++a) x[a] += weight * (shift[a] + body.displacement[a][corners[c]]);
+    }
+    return x;
+  });
 }
 
 template <class T, int D, class F>
@@ -125,10 +147,10 @@ template <class T, int D>
 double mean_value(const Body<T, D>& body, const MeasurementCase& m, double t) {
   double sum = 0, volume = 0;
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
-    const Vector at = padded<D>(present_centre<T, D>(body, cell));
-    if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) return;
+    const double share = selected_share<T, D>(body, cell, m, t);
+    if (share == 0) return;
     const StressPoint<D> point = stress_point<T, D>(body, p, cell);
-    const double v = point.volume * point.volume_ratio;
+    const double v = share * point.volume * point.volume_ratio;
     sum += v * cell_value<T, D>(body, p, cell, m.field);
     volume += v;
   });

@@ -118,25 +118,30 @@ TEST(tools, of_a_radius_below_two_spacings_press_deeper_than_it) {
 }
 
 TEST(tools, are_warned_of_where_they_are_narrow) {
-  static constexpr NarrowToolError edged[] = {{4.1, 30}, {8.5, 13}}, round[] = {{4, 16}};
-  const auto warnings_of = [&](const std::string& tool, int across) {
+  static constexpr NarrowToolError edged[] = {{4.1, 30}, {8.5, 13}}, round[] = {{4, 16}},
+                                   attached[] = {{6, 8}};
+  const auto warnings_of = [&](const std::string& tool, int across,
+                               const std::string& kind = "contact_wall") {
     std::vector<std::string> warnings;
-    warn_of_narrow_tools(
-        tests::read_text(pressed_block(2, tool, 0.1, {"total_lagrangian", across, 0})), edged,
-        round, warnings);
+    std::string text = pressed_block(2, tool, 0.1, {"total_lagrangian", across, 0});
+    text.replace(text.find("contact_wall"), 12, kind);
+    warn_of_narrow_tools(tests::read_text(text), {edged, round, attached}, warnings);
     return warnings;
   };
   const std::string punch = "{ shape = \"box\", lower = [-0.25, 1], upper = [0.25, 3] }";
   ASSERT_EQ(warnings_of(punch, 10).size(), 1U);
   EXPECT_EQ(warnings_of(punch, 10)[0],
-            "the contact wall `tool` is 5 spacings wide: its force deviates by up to 13 %; use a "
-            "finer spacing (discretisation.spacing = 0.0588 or below)");
+            "the wall `tool` is 5 spacings wide: its force deviates by up to 13 %; use a finer "
+            "spacing (discretisation.spacing = 0.0588 or below)");
+  EXPECT_EQ(warnings_of(punch, 10, "moving_wall").size(), 1U);
+  EXPECT_TRUE(warnings_of(punch, 13, "moving_wall").empty());
   EXPECT_TRUE(warnings_of(punch, 20).empty());
   const std::string plate = "{ shape = \"box\", lower = [-1, 1], upper = [1, 1.1] }";
   EXPECT_TRUE(warnings_of(plate, 10).empty());
   const std::string disc = "{ shape = \"disc\", centre = [0, 1.2], radius = 0.2 }";
   EXPECT_EQ(warnings_of(disc, 9).size(), 1U);
   EXPECT_TRUE(warnings_of(disc, 11).empty());
+  EXPECT_TRUE(warnings_of(disc, 9, "moving_wall").empty());
 }
 
 TEST(tools, are_warned_of_in_the_remeshed_method) {
