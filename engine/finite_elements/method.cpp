@@ -17,6 +17,7 @@
 #include "engine/point_based/nodes/place_nodes.hpp"
 #include "engine/undeformed/coarse_tools.hpp"
 #include "engine/undeformed/default_cfl.hpp"
+#include "engine/undeformed/linear_material.hpp"
 #include "engine/undeformed/slip_walls.hpp"
 
 namespace pliant::finite_elements {
@@ -82,6 +83,7 @@ void warn_of_few_elements(const Case& a_case, std::vector<std::string>& warnings
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_few_elements(a_case, warnings);
   undeformed::warn_of_coarse_tools(a_case, warnings);
+  undeformed::warn_of_equation_of_state(a_case, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, point_based::has_elements, warnings);
 }
 

@@ -19,6 +19,7 @@
 #include "engine/point_based/walls_off_the_lattice.hpp"
 #include "engine/undeformed/coarse_tools.hpp"
 #include "engine/undeformed/default_cfl.hpp"
+#include "engine/undeformed/linear_material.hpp"
 #include "engine/undeformed/slip_walls.hpp"
 #include "engine/undeformed/squeezed_bodies.hpp"
 
@@ -131,6 +132,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_coarse_cuts(a_case, warnings);
   warn_of_squeezed_lattices(a_case, warnings);
   undeformed::warn_of_coarse_tools(a_case, warnings);
+  undeformed::warn_of_equation_of_state(a_case, warnings);
   // Of a disc and of a ball; a square has 4.
   constexpr double excess_of_inertia = 6;
   warn_of_rotating_bodies(a_case, excess_of_inertia, warnings);

@@ -14,11 +14,12 @@
 // body that an attached wall does not hold can meet it in the same way: where a block is squeezed
 // between plates that hold it, its sides bulge against them.
 //
-// Corners of the present surface must not lie inside a wall, (TL.12). A corner that does after a
-// step is moved back onto the wall along the normal, by the smallest change of the particles that
-// carry it. If a corner moves with the gradient of a node, that node alone takes the push: with
-// wide stencils, many corners would push each other out of the wall. Friction reduces the slip as
-// far as Coulomb's law allows for the normal impulse.
+// Corners of the present surface must not lie inside a wall, (TL.12), nor what lies between them
+// inside a tool, (TL.35). A corner that does after a step is moved back onto the wall along the
+// normal, by the smallest change of the particles that carry it. If a corner moves with the
+// gradient of a node, that node alone takes the push: with wide stencils, many corners would push
+// each other out of the wall. Friction reduces the slip as far as Coulomb's law allows for the
+// normal impulse.
 //
 // If velocities belong to the middle of a step, as with central differences, they change by what
 // moves the corner back within the step. If they belong to its end, as with the leapfrog, a corner
@@ -95,7 +96,7 @@ class WallContact {
   State<D>& state_;
   Displacements<T, D> moved_;
   bool is_expected_ = false;
-  bool has_tools_ = false;
+  bool has_tools_ = false;  ///< walls that meet facets
   std::vector<MetWall<D>> walls_;
   std::vector<PushedSurface<T, D>> surfaces_;
   WallSearch<T, D> search_;

@@ -71,9 +71,10 @@ class WallMeetings {
   /// Weighs the corner that is the only sample, and adds the middles of the edges of facets that
   /// face the wall.
   void weigh_facets(const PushedSurface<T, D>& surface, const Wall<D>& wall, const MetWall<D>& met);
-  /// Adds the middles of the edges at the candidates, unless both ends are on one plane.
+  /// Adds the middle of each edge at a candidate, unless both ends are above one plane of the wall:
+  /// their pushes then keep it outside.
   void add_middles(const PushedSurface<T, D>& surface, const Wall<D>& wall, const MetWall<D>& met);
-  /// Adds the mean of `samples` unless all of them are farther from the wall than the margin.
+  /// Adds the mean of `samples` unless it is farther from the wall than the margin.
   void add_meeting(const PushedSurface<T, D>& surface, std::int32_t index,
                    std::span<const Sample> samples, const Wall<D>& wall, const MetWall<D>& met);
   void add_bearing(const PushedSurface<T, D>& surface, std::int32_t corner, double weight,

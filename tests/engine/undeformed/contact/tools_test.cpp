@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <memory>
+#include <cmath>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -54,67 +55,64 @@ geometry = {}
 
 /// Expects the force [N], or N/m in 2D, and that no energy is created.
 void expect_force(double expected, int dimension, const std::string& tool, double depth,
-                  const Pressing& setting) {
-  SCOPED_TRACE(fmt::format("{}, {}", setting.method, setting.across));
-  const auto run = methods().make(tests::read_text(pressed_block(dimension, tool, depth, setting)),
-                                  {2, kernels::widest_supported()});
-  run->advance(3.5);
-  const double impulse = values(*run)["force"], from = run->clock().time;
-  run->advance(4);
-  const double force = (impulse - values(*run)["force"]) / (run->clock().time - from);
-  EXPECT_NEAR(force, expected, setting.deviation * expected);
-  EXPECT_LT(std::abs(balance(*run)), 0.03 * run->energy_budget()->wall_work);
+                  std::initializer_list<Pressing> settings) {
+  for (const Pressing& setting : settings) {
+    SCOPED_TRACE(fmt::format("{}, {}", setting.method, setting.across));
+    const auto run =
+        methods().make(tests::read_text(pressed_block(dimension, tool, depth, setting)),
+                       {2, kernels::widest_supported()});
+    run->advance(3.5);
+    const double impulse = values(*run)["force"], from = run->clock().time;
+    run->advance(4);
+    const double force = (impulse - values(*run)["force"]) / (run->clock().time - from);
+    EXPECT_NEAR(force, expected, setting.deviation * expected);
+    EXPECT_LT(std::abs(balance(*run)), 0.03 * run->energy_budget()->wall_work);
+  }
 }
 
 // 13.33 N/m with 200 spacings in 1 m. If corners alone met the tool, it would be 0.55, 0.82 and
 // 0.95 of that in the total Lagrangian method, and 0.65, 0.75 and 0.91 in the point-based one.
 TEST(tools, of_two_to_six_spacings_press_with_the_force_of_a_flat_punch) {
-  for (const Pressing& setting : {Pressing{"total_lagrangian", 8, 0.03},
-                                  {"total_lagrangian", 16, 0.04},
-                                  {"total_lagrangian", 25, 0.03},
-                                  {"point_based", 8, 0.05},
-                                  {"point_based", 16, 0.05},
-                                  {"point_based", 25, 0.045}}) {
-    expect_force(13.33, 2, "{ shape = \"box\", lower = [-0.125, 1], upper = [0.125, 3] }", 0.15,
-                 setting);
-  }
+  expect_force(13.33, 2, "{ shape = \"box\", lower = [-0.125, 1], upper = [0.125, 3] }", 0.15,
+               {{"total_lagrangian", 8, 0.03},
+                {"total_lagrangian", 16, 0.04},
+                {"total_lagrangian", 25, 0.03},
+                {"point_based", 8, 0.05},
+                {"point_based", 16, 0.05},
+                {"point_based", 25, 0.045}});
 }
 
 // 5.69 N with 40 spacings in 1 m. Corners alone: 0.58, 0.77 and 0.55, 0.86.
 TEST(tools, press_with_the_force_of_a_round_flat_punch) {
-  for (const Pressing& setting : {Pressing{"total_lagrangian", 10, 0.08},
-                                  {"total_lagrangian", 16, 0.02},
-                                  {"point_based", 10, 0.08},
-                                  {"point_based", 16, 0.04}}) {
-    expect_force(5.69, 3,
-                 R"({ shape = "intersection", of = [
+  expect_force(5.69, 3,
+               R"({ shape = "intersection", of = [
   { shape = "cylinder", centre = [0, 0, 0], radius = 0.2 },
   { shape = "box", lower = [-1, -1, 0.5], upper = [1, 1, 2] }] })",
-                 0.08, setting);
-  }
+               0.08,
+               {{"total_lagrangian", 10, 0.08},
+                {"total_lagrangian", 16, 0.02},
+                {"point_based", 10, 0.08},
+                {"point_based", 16, 0.04}});
 }
 
 // 2.585 N with 40 spacings in 1 m. Corners alone: 0.89, 0.95 and 0.91, 0.95.
 TEST(tools, press_with_the_force_of_a_ball) {
-  for (const Pressing& setting : {Pressing{"total_lagrangian", 10, 0.035},
-                                  {"total_lagrangian", 15, 0.025},
-                                  {"point_based", 10, 0.045},
-                                  {"point_based", 15, 0.015}}) {
-    expect_force(2.585, 3, "{ shape = \"ball\", centre = [0, 0, 0.8], radius = 0.3 }", 0.08,
-                 setting);
-  }
+  expect_force(2.585, 3, "{ shape = \"ball\", centre = [0, 0, 0.8], radius = 0.3 }", 0.08,
+               {{"total_lagrangian", 10, 0.035},
+                {"total_lagrangian", 15, 0.025},
+                {"point_based", 10, 0.045},
+                {"point_based", 15, 0.015}});
 }
 
 // 15.36 N/m with 100 spacings in 1 m. Corners alone: 0.84, 0.98 and 0.38, 0.70, as they slide
 // around the tool.
 TEST(tools, of_a_radius_below_two_spacings_press_deeper_than_it) {
-  for (const Pressing& setting : {Pressing{"total_lagrangian", 10, 0.04},
-                                  {"total_lagrangian", 16, 0.02},
-                                  {"point_based", 10, 0.04},
-                                  {"point_based", 16, 0.02}}) {
-    expect_force(15.36, 2, "{ shape = \"capsule\", from = [0, 1.15], to = [0, 3], radius = 0.15 }",
-                 0.2, setting);
-  }
+  expect_force(15.36, 2, "{ shape = \"capsule\", from = [0, 1.15], to = [0, 3], radius = 0.15 }",
+               0.2,
+               {{"total_lagrangian", 10, 0.04},
+                {"total_lagrangian", 16, 0.02},
+                {"point_based", 10, 0.04},
+                {"point_based", 16, 0.02}});
 }
 
 TEST(tools, are_warned_of_where_they_are_narrow) {
