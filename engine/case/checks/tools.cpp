@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/case/vocabulary/boundary_kinds.hpp"
+#include "engine/geometry/is_round.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
 namespace pliant {
@@ -27,11 +28,6 @@ double width_beside(const Box<3>& wall, const Box<3>& body, int dimension) {
     if (!is_apart && !covers) width = std::min(width, wall.upper[a] - wall.lower[a]);
   }
   return width;
-}
-
-bool is_round(const Shape& shape) {
-  using enum Shape::Kind;
-  return shape.kind == ball || shape.kind == capsule || shape.kind == cylinder;
 }
 
 bool is_contact_wall(const BoundaryCase& wall) {

@@ -9,7 +9,7 @@
 
 namespace pliant {
 
-/// Deviation of the force of contact walls that are narrower than `across` spacings.
+/// Deviation of the force of walls that are narrower than `across` spacings.
 struct NarrowToolError {
   double across;
   int deviation;  ///< [%]

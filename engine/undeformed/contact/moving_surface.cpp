@@ -44,15 +44,6 @@ std::vector<std::int32_t> number_carriers(ContactSurface<D>& surface) {
   return slots;
 }
 
-template <int D>
-Groups facets_around_corners(const ContactSurface<D>& surface) {
-  std::vector<std::int32_t> corner;
-  for (const auto& facet : surface.facet) corner.insert(corner.end(), facet.begin(), facet.end());
-  Groups around(corner, surface.start.size());
-  for (std::int32_t& facet : around.item) facet /= D;
-  return around;
-}
-
 /// Angle of a triangle at its corner `v`; in 2D all facets have equal weight.
 double angle_at(const std::array<Point<2>, 2>&, int) { return 1; }
 double angle_at(const std::array<Point<3>, 3>& x, int v) {

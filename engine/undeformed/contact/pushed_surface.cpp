@@ -30,7 +30,7 @@ PushedSurface<T, D>::PushedSurface(Body<T, D>& of, Displacements<T, D> displacem
     corners.push_back(corner);
     if (number >= shape.first_inner) ++inner_corners;
   }
-  if (meets_tools && shape.is_whole) find_facets();
+  if (meets_tools && shape.is_whole) find_neighbours();
 }
 
 template <class T, int D>
@@ -40,14 +40,13 @@ std::span<const Share> PushedSurface<T, D>::bearing(std::int32_t corner) const {
 }
 
 template <class T, int D>
-void PushedSurface<T, D>::find_facets() {
-  facets_at_.resize(shape.corners());
+void PushedSurface<T, D>::find_neighbours() {
+  facets_at_ = facets_around_corners(shape);
   neighbours_.resize(shape.corners());
   half_edge_.resize(shape.corners());
-  for (std::size_t f = 0; f < shape.facet.size(); ++f) {
-    for (const std::int32_t corner : shape.facet[f]) {
-      facets_at_[corner].push_back(static_cast<std::int32_t>(f));
-      for (const std::int32_t other : shape.facet[f]) {
+  for (const std::array<std::int32_t, D>& facet : shape.facet) {
+    for (const std::int32_t corner : facet) {
+      for (const std::int32_t other : facet) {
         std::vector<std::int32_t>& known = neighbours_[corner];
         if (other == corner || std::ranges::count(known, other) > 0) continue;
         known.push_back(other);
@@ -60,7 +59,7 @@ void PushedSurface<T, D>::find_facets() {
 
 template <class T, int D>
 std::span<const std::int32_t> PushedSurface<T, D>::facets_at(std::int32_t corner) const {
-  if (facets_at_.empty()) return {};
+  if (facets_at_.count() == 0) return {};
   return facets_at_[corner];
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/undeformed/contact/carried_points.hpp"
 #include "engine/undeformed/contact/contact_surface.hpp"
+#include "engine/undeformed/contact/surface_patches.hpp"
 #include "engine/undeformed/state.hpp"
 
 namespace pliant::undeformed {
@@ -48,12 +49,12 @@ struct PushedSurface {
   Point<D> place(std::int32_t corner) const;
 
  private:
-  void find_facets();
+  void find_neighbours();
 
-  std::vector<Share> first_carrier_;  ///< [corner], unless all take impulses
-  /// [corner], or empty
-  std::vector<std::vector<std::int32_t>> facets_at_, neighbours_;
-  std::vector<double> half_edge_;  ///< [corner], or empty
+  std::vector<Share> first_carrier_;                   ///< [corner], unless all take impulses
+  Groups facets_at_;                                   ///< [corner], or empty
+  std::vector<std::vector<std::int32_t>> neighbours_;  ///< [corner], or empty
+  std::vector<double> half_edge_;                      ///< [corner], or empty
 };
 
 extern template struct PushedSurface<double, 2>;

@@ -42,6 +42,18 @@ Groups::Groups(std::span<const std::int32_t> group, std::size_t count) {
 }
 
 template <int D>
+Groups facets_around_corners(const ContactSurface<D>& surface) {
+  std::vector<std::int32_t> corner;
+  for (const auto& facet : surface.facet) corner.insert(corner.end(), facet.begin(), facet.end());
+  Groups around(corner, surface.start.size());
+  for (std::int32_t& facet : around.item) facet /= D;
+  return around;
+}
+
+template Groups facets_around_corners(const ContactSurface<2>&);
+template Groups facets_around_corners(const ContactSurface<3>&);
+
+template <int D>
 SurfacePatches<D>::SurfacePatches(const ContactSurface<D>& surface, std::size_t carriers,
                                   double size) {
   const std::vector<std::int32_t> of_corner = cubes_of<D>(surface.start, patch_size * size);

@@ -24,6 +24,10 @@ struct Groups {
   }
 };
 
+/// Numbers of the facets at each corner, ascending.
+template <int D>
+Groups facets_around_corners(const ContactSurface<D>& surface);
+
 /// A ball that contains the displacements of a set of points [m].
 template <int D>
 struct MotionBall {

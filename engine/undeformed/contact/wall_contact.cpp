@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/geometry/is_round.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/point_algebra.hpp"
 
@@ -23,16 +24,8 @@ Box<3> without_end() {
 
 Face face_of(const Shape& shape, double spacing) {
   constexpr double least_radius = 2;  // of a smooth tool [spacings]
-  switch (shape.kind) {
-    case Shape::Kind::half_space:
-      return Face::plane;
-    case Shape::Kind::ball:
-    case Shape::Kind::capsule:
-    case Shape::Kind::cylinder:
-      return shape.radius < least_radius * spacing ? Face::sharp : Face::smooth;
-    default:
-      return Face::sharp;
-  }
+  if (shape.kind == Shape::Kind::half_space) return Face::plane;
+  return is_round(shape) && shape.radius >= least_radius * spacing ? Face::smooth : Face::sharp;
 }
 
 }  // namespace
