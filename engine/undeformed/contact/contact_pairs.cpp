@@ -6,6 +6,7 @@
 
 #include "engine/undeformed/contact/carried_points.hpp"
 #include "engine/undeformed/contact/facet_point.hpp"
+#include "engine/undeformed/contact/held_back.hpp"
 
 namespace pliant::undeformed {
 
@@ -13,6 +14,19 @@ namespace {
 
 constexpr double least_meeting_compliance =
     1e-3;  // along the normal, relative to that without walls
+
+double coefficient_of(const ContactCase& contact) {
+  switch (contact.law) {
+    case ContactLaw::frictionless:
+      return 0;
+    case ContactLaw::coulomb:
+      return contact.friction;
+    case ContactLaw::no_slip:
+    case ContactLaw::tied:
+      break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
 
 }  // namespace
 
@@ -74,10 +88,10 @@ void ContactPairs<T, D>::prepare(ContactPair<T, D>& pair, const ContactTimes& ti
     pair.compliance = compliance<D>(side.corners, corner_shares(pair), n) +
                       compliance<D>(side.facets, facet_shares(pair), n);
   }
+  pair.slip = slip(pair);
   // Velocities of the middle of a step may close a gap that was open at its start.
   if (times.drift != times.length) return;
-  const double speed = dot<D>(slip(pair), n);
-  pair.approach = std::max(pair.touch.gap / times.length - speed, 0.);
+  pair.approach = std::max(pair.touch.gap / times.length - dot<D>(pair.slip, n), 0.);
 }
 
 template <class T, int D>
@@ -110,26 +124,25 @@ double ContactPairs<T, D>::push(ContactPair<T, D>& pair, const ContactCase& law,
   const double shift_now = std::max(-relaxation * gap / pair.compliance, -pair.normal_shift);
   pair.normal_impulse += impulse_now;
   pair.normal_shift += shift_now;
-  Point<D> friction = pair.friction_impulse;
-  if (law.law != ContactLaw::frictionless) {
-    for (int a = 0; a < D; ++a)
-      friction[a] -= relaxation * (w[a] - speed * n[a]) / pair.largest_compliance;
-    const double size = std::sqrt(dot<D>(friction, friction));
-    const double most = law.law == ContactLaw::coulomb ? law.friction * pair.normal_impulse
-                        : pair.normal_impulse > 0      ? std::numeric_limits<double>::infinity()
-                                                       : 0;
-    if (size > most) {
-      for (double& component : friction) component *= most / size;
-    }
+  const double coefficient = coefficient_of(law);
+  Point<D> friction = {}, held = {};
+  if (coefficient > 0) {
+    const double compliance = pair.largest_compliance / relaxation;
+    Point<D> stray;
+    for (int a = 0; a < D; ++a) stray[a] = apart[a] - drift * (w[a] - pair.slip[a]);
+    friction =
+        held_back<D>(pair.friction_impulse, w, n, compliance, coefficient, pair.normal_impulse);
+    held = held_back<D>(pair.friction_shift, stray, n, compliance, coefficient, pair.normal_shift);
   }
   Point<D> impulse, shift;
   for (int a = 0; a < D; ++a) {
     const double along = friction[a] - pair.friction_impulse[a];
     impulse[a] = impulse_now * n[a] + along;
-    shift[a] = shift_now * n[a] + drift * along;
+    shift[a] = shift_now * n[a] + drift * along + held[a] - pair.friction_shift[a];
   }
   if (impulse == Point<D>{} && shift == Point<D>{}) return 0;
   pair.friction_impulse = friction;
+  pair.friction_shift = held;
   const double change = pair.compliance * std::sqrt(dot<D>(impulse, impulse));
   push_point<D>(pair.side->corners, corner_shares(pair), impulse, shift);
   for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], shift[a] = -shift[a];

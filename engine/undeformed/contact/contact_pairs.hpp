@@ -36,6 +36,8 @@ struct ContactPair {
   double approach = 0;                          ///< velocity of approach that it may keep [m/s]
   double normal_impulse = 0, normal_shift = 0;  ///< sums along the normal [N s], [kg m]
   Point<D> friction_impulse = {};               ///< friction along the surface [N s]
+  Point<D> friction_shift = {};  ///< along it, so that shifts move nothing there [kg m]
+  Point<D> slip = {};            ///< velocity of the corner without contact, relative [m/s]
 };
 
 /// Corners that touch in a step, and the impulses there, (TL.16).

@@ -8,6 +8,7 @@
 #include "engine/geometry/is_round.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/point_algebra.hpp"
+#include "engine/undeformed/contact/held_back.hpp"
 
 namespace pliant::undeformed {
 
@@ -71,7 +72,6 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
 template <class T, int D>
 void WallContact<T, D>::push_out(std::size_t s) {
   PushedSurface<T, D>& surface = surfaces_[s];
-  const std::size_t outer = surface.outer_corners().size();
   meetings_.clear();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     meetings_.add(surface, state_.near_walls[w].soon.corners[s],
@@ -82,11 +82,7 @@ void WallContact<T, D>::push_out(std::size_t s) {
     double change = 0;
     for (std::size_t w = 0; w < walls_.size(); ++w) {
       for (WallMeeting<D>& meeting : meetings_.of_wall(w)) {
-        const double moved = push(surface, walls_[w], meeting);
-        change = std::max(change, moved);
-        if (moved > 0 && static_cast<std::size_t>(meeting.corner) >= outer) {
-          state_.tool_inside = walls_[w].source;
-        }
+        change = std::max(change, push(surface, walls_[w], meeting));
       }
     }
     first = std::max(first, change);
@@ -97,8 +93,16 @@ void WallContact<T, D>::push_out(std::size_t s) {
 
 template <class T, int D>
 void WallContact<T, D>::conclude(std::size_t s) {
+  constexpr double large_share = 0.25;  // of a push, on particles inside the body
   const PushedSurface<T, D>& surface = surfaces_[s];
+  const std::size_t outer = surface.outer_corners().size();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
+    double inside = 0, all = 0;
+    for (const WallMeeting<D>& meeting : meetings_.of_wall(w)) {
+      all += meeting.moved;
+      if (static_cast<std::size_t>(meeting.corner) >= outer) inside += meeting.moved;
+    }
+    if (inside > large_share * all) state_.tool_inside = walls_[w].source;
     for (const WallMeeting<D>& meeting : meetings_.of_wall(w)) {
       add_friction(surface, walls_[w], meeting);
       if (is_expected_ || !meeting.is_pushed()) continue;
@@ -115,34 +119,44 @@ double WallContact<T, D>::push(PushedSurface<T, D>& surface, const MetWall<D>& m
   Body<T, D>& body = *surface.body;
   const std::span<const Share> bearing = meetings_.bearing_of(meeting);
   const Point<D>& n = meeting.normal;
-  const double gap = meeting.offset + dot<D>(n, carried<T, D>(body.*moved_, bearing));
+  const Point<D> displacement = carried<T, D>(body.*moved_, bearing);
+  const double gap = meeting.offset + dot<D>(n, displacement);
   if (!meeting.is_pushed() && gap >= 0) return 0;
   BodyCarriers<T, D> carriers(body, body.*moved_, surface.held, met.inertia / met.kick);
   const double along = meeting.compliance;
-  const Point<D> slip = difference<D>(carried<T, D>(body.velocity, bearing), meeting.velocity);
-  const double normal_speed = dot<D>(slip, n);
+  const Point<D> velocity = carried<T, D>(body.velocity, bearing);
+  const Point<D> slip = difference<D>(velocity, meeting.velocity);
   const bool in_middle = met.drift == met.length;
   const double impulse_now =
-      std::max((in_middle ? -gap / met.length : -normal_speed) / along, -meeting.impulse);
+      std::max((in_middle ? -gap / met.length : -dot<D>(slip, n)) / along, -meeting.impulse);
   const double moved_now = std::max(-gap / along, -meeting.moved);
   meeting.impulse += impulse_now;
   meeting.moved += moved_now;
-  const Point<D> before = meeting.friction;
-  Point<D> sliding;
+  Point<D> stray;
   for (int a = 0; a < D; ++a) {
-    sliding[a] = slip[a] - normal_speed * n[a];
-    meeting.friction[a] -= sliding[a] / along;
+    stray[a] = displacement[a] - met.drift * velocity[a] - meeting.before[a];
   }
-  const double size = std::sqrt(dot<D>(meeting.friction, meeting.friction));
-  const double most = meeting.impulse > 0 ? met.friction * meeting.impulse : 0;
-  if (size > most) {
-    for (double& component : meeting.friction) component *= most / size;
-  }
-  Point<D> impulse, moved, on_body;
+  const Point<D> friction =
+      held_back<D>(meeting.friction, slip, n, along, met.friction, meeting.impulse);
+  const Point<D> held = held_back<D>(meeting.held, stray, n, along, met.friction, meeting.moved);
+  Point<D> impulse, moved;
   for (int a = 0; a < D; ++a) {
-    const double friction = meeting.friction[a] - before[a];
-    impulse[a] = impulse_now * n[a] + friction;
-    moved[a] = moved_now * n[a] + met.drift * friction;
+    const double friction_now = friction[a] - meeting.friction[a];
+    impulse[a] = impulse_now * n[a] + friction_now;
+    moved[a] = moved_now * n[a] + met.drift * friction_now + held[a] - meeting.held[a];
+  }
+  meeting.friction = friction;
+  meeting.held = held;
+  add_push(met, meeting, impulse);
+  push_point<D>(carriers, bearing, impulse, moved);
+  return along * std::max(met.length * norm<D>(impulse), norm<D>(moved));
+}
+
+template <class T, int D>
+void WallContact<T, D>::add_push(const MetWall<D>& met, const WallMeeting<D>& meeting,
+                                 const Point<D>& impulse) {
+  Point<D> on_body;
+  for (int a = 0; a < D; ++a) {
     on_body[a] = met.inertia * impulse[a];
     state_.energy.wall_work += on_body[a] * meeting.velocity[a];
     state_.power.wall_work += on_body[a] / met.kick * meeting.velocity[a];
@@ -151,8 +165,6 @@ double WallContact<T, D>::push(PushedSurface<T, D>& surface, const MetWall<D>& m
   on_wall.add(meeting.place, on_body);
   state_.wall_impulse[met.number].add(on_wall, 1);
   state_.wall_force[met.number].add(on_wall, 1 / met.kick);
-  push_point<D>(carriers, bearing, impulse, moved);
-  return along * std::max(met.length * std::sqrt(dot<D>(impulse, impulse)), std::abs(moved_now));
 }
 
 // Loss by friction (PB.41). A sweep takes back what an earlier one has pushed too far: neither

@@ -85,10 +85,12 @@ class WallContact {
  private:
   /// Gauss-Seidel sweeps over the corners of a surface.
   void push_out(std::size_t surface);
-  /// Adds what friction took, and lists the particles for pushed().
+  /// Adds what friction took, notes a wall inside the body, and lists the particles for pushed().
   void conclude(std::size_t surface);
   /// Returns the distance by which it moves the corner, in the step or at its end [m].
   double push(PushedSurface<T, D>& surface, const MetWall<D>& met, WallMeeting<D>& meeting);
+  /// Adds an impulse on the body, and its work, to what the wall gave.
+  void add_push(const MetWall<D>& met, const WallMeeting<D>& meeting, const Point<D>& impulse);
   /// Adds the energy that friction on a corner took in the step.
   void add_friction(const PushedSurface<T, D>& surface, const MetWall<D>& met,
                     const WallMeeting<D>& meeting);

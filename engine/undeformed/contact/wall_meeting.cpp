@@ -160,7 +160,10 @@ void WallMeetings<T, D>::add_meeting(const PushedSurface<T, D>& surface, std::in
     bearing_.resize(first);
     return;
   }
-  meeting.offset = gap - dot<D>(meeting.normal, carried<T, D>(body.*surface.moved, bearing));
+  meeting.before = carried<T, D>(body.*surface.moved, bearing);
+  meeting.offset = gap - dot<D>(meeting.normal, meeting.before);
+  const Point<D> velocity = carried<T, D>(body.velocity, bearing);
+  for (int a = 0; a < D; ++a) meeting.before[a] -= met.drift * velocity[a];
   meetings_.push_back(meeting);
 }
 

@@ -23,6 +23,8 @@ struct WallMeeting {
   double impulse = 0;      ///< along the normal [N s]
   double moved = 0;        ///< along the normal [kg m]
   Point<D> friction = {};  ///< impulse along the wall [N s]
+  Point<D> held = {};      ///< along the wall, so that pushes do not move it there [kg m]
+  Point<D> before = {};    ///< displacement when the forces of the step acted, without pushes [m]
 
   bool is_pushed() const { return impulse > 0 || moved > 0; }
 };

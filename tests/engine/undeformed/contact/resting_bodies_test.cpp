@@ -34,11 +34,12 @@ kind = "{}"
 }
 
 // The upper block holds 1.70 mJ, without slip 1.605 mJ. If four sweeps left a part of the pushes in
-// each step, it would hold 1.96 mJ in the point-based method without slip.
+// each step, it would hold 1.96 mJ in the point-based method without slip; if pushes shifted its
+// points along the other block, 2.8 mJ at 0.07 m.
 TEST(resting_bodies, hold_the_energy_of_their_weight) {
   for (const std::string method : {"total_lagrangian", "point_based"}) {
     for (const bool slips : {true, false}) {
-      for (const double spacing : {0.08, 0.06}) {
+      for (const double spacing : {0.08, 0.07, 0.06}) {
         SCOPED_TRACE(fmt::format("{}, {}, {} m", method, slips, spacing));
         const auto run = methods().make(
             tests::read_text(stack(method, spacing, slips ? "frictionless" : "no_slip")),
@@ -46,7 +47,7 @@ TEST(resting_bodies, hold_the_energy_of_their_weight) {
         run->advance(4);
         auto measured = values(*run);
         const double held = slips ? 1.70e-3 : 1.605e-3;
-        EXPECT_NEAR(measured["energy"], held, (slips ? 0.035 : 0.08) * held);
+        EXPECT_NEAR(measured["energy"], held, 0.035 * held);
         EXPECT_NEAR(balance(*run), 0, 0.017 * run->energy_budget()->work());
       }
     }
