@@ -15,6 +15,7 @@
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/method.hpp"
 #include "engine/point_based/nodes/place_nodes.hpp"
+#include "engine/point_based/walls_in_meshes.hpp"
 #include "engine/undeformed/coarse_tools.hpp"
 #include "engine/undeformed/default_cfl.hpp"
 #include "engine/undeformed/linear_material.hpp"
@@ -85,6 +86,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   undeformed::warn_of_coarse_tools(a_case, warnings);
   undeformed::warn_of_equation_of_state(a_case, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, point_based::has_elements, warnings);
+  point_based::warn_of_walls_in_meshes(a_case, warnings);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "engine/point_based/observe/measure.hpp"
 #include "engine/point_based/parameters.hpp"
 #include "engine/point_based/solver.hpp"
+#include "engine/point_based/walls_in_meshes.hpp"
 #include "engine/point_based/walls_off_the_lattice.hpp"
 #include "engine/undeformed/coarse_tools.hpp"
 #include "engine/undeformed/default_cfl.hpp"
@@ -143,6 +144,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {8.5, "where walls that hold it squeeze it, forces are 2 to 5 % too large"}};
   undeformed::warn_of_squeezed_bodies(a_case, squeezed, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, has_elements, warnings);
+  warn_of_walls_in_meshes(a_case, warnings);
   const bool have_elements = std::ranges::any_of(
       a_case.bodies, [](const BodyCase& body) { return has_elements(body.geometry); });
   if (have_elements) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/boundaries/walls.hpp"
+#include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/method/initial_stress.hpp"
 

@@ -5,6 +5,10 @@
 
 namespace pliant::point_based {
 
+/// Walls hold the nodes of a mesh within this distance, in units of V^(1/D): vertices lie on the
+/// surface.
+inline constexpr double reach_of_walls_in_meshes = 0.25;
+
 /// One node at every vertex of a mesh of dimension D. Each element gives 1/(D + 1) of its volume to
 /// each corner, so node volumes sum to that of the mesh. Positions are `scale` times those of the
 /// file plus `translate`; `scale` is in metres per unit of the file.

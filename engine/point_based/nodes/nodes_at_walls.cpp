@@ -1,5 +1,6 @@
 #include "engine/point_based/nodes/nodes_at_walls.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -162,9 +163,35 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
   return elastic;
 }
 
+template <int D>
+std::vector<double> volumes_of_free_elements(const Boundaries<D>& boundaries, double reach,
+                                             const NodeCloud<D>& cloud) {
+  std::vector<double> elastic(cloud.volumes.size(), 0);
+  const auto is_held = [&](std::int32_t i) {
+    return boundaries.distance_to_no_slip(cloud.positions[i]) <
+           reach * std::pow(cloud.volumes[i], 1. / D);
+  };
+  for (const std::array<std::int32_t, D + 1>& corners : cloud.elements) {
+    if (std::ranges::all_of(corners, is_held)) continue;
+    Eigen::Matrix<double, D, D> edges;
+    for (int a = 0; a < D; ++a) {
+      edges.col(a) =
+          column<D>(cloud.positions[corners[a + 1]]) - column<D>(cloud.positions[corners[0]]);
+    }
+    const double share = std::abs(edges.determinant()) / ((D == 2 ? 2 : 6) * (D + 1));
+    for (const std::int32_t corner : corners) elastic[corner] += share;
+  }
+  return elastic;
+}
+
 template std::vector<double> fit_to_walls<2>(const Boundaries<2>&, const Shape&,
                                              const std::optional<Point<2>>&, NodeCloud<2>&);
 template std::vector<double> fit_to_walls<3>(const Boundaries<3>&, const Shape&,
                                              const std::optional<Point<3>>&, NodeCloud<3>&);
+
+template std::vector<double> volumes_of_free_elements<2>(const Boundaries<2>&, double,
+                                                         const NodeCloud<2>&);
+template std::vector<double> volumes_of_free_elements<3>(const Boundaries<3>&, double,
+                                                         const NodeCloud<3>&);
 
 }  // namespace pliant::point_based

@@ -21,4 +21,11 @@ extern template std::vector<double> fit_to_walls<2>(const Boundaries<2>&, const 
 extern template std::vector<double> fit_to_walls<3>(const Boundaries<3>&, const Shape&,
                                                     const std::optional<Point<3>>&, NodeCloud<3>&);
 
+/// [node] the volume of the elements of a mesh at each node, without those that no-slip walls hold
+/// at all corners, as they cannot deform [m^D]. Walls hold the nodes that are nearer than `reach`
+/// times the root of the volume of the node.
+template <int D>
+std::vector<double> volumes_of_free_elements(const Boundaries<D>& boundaries, double reach,
+                                             const NodeCloud<D>& cloud);
+
 }  // namespace pliant::point_based

@@ -31,7 +31,7 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
   PlacedNodes<D> nodes;
   if (has_elements(shape)) {
     nodes.cloud = nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate);
-    nodes.reach = 0.25;  // vertices lie on the surface
+    nodes.reach = reach_of_walls_in_meshes;
     nodes.alpha = 0.2;
   } else if (parameters_of(settings).nodes == NodePlacement::octree) {
     const double coarsest = parameters_of(settings).coarsest_spacing;
@@ -53,7 +53,9 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
     throw InputError(
         fmt::format("body `{}` holds no node; use a finer discretisation.spacing", source.name));
   }
-  nodes.elastic_volumes = fit_to_walls<D>(boundaries, shape, pitch, nodes.cloud);
+  nodes.elastic_volumes = nodes.cloud.elements.empty()
+                              ? fit_to_walls<D>(boundaries, shape, pitch, nodes.cloud)
+                              : volumes_of_free_elements<D>(boundaries, nodes.reach, nodes.cloud);
   return nodes;
 }
 
