@@ -103,7 +103,8 @@ void make_room(const Case& settings, const Boundaries<D>& boundaries, PressureFo
 }
 
 template <class T, int D>
-void hold(const Boundaries<D>& boundaries, double reach, Body<T, D>& body) {
+void hold(const Boundaries<D>& boundaries, const std::vector<double>& reach_of_node,
+          Body<T, D>& body) {
   const Shape& shape = body.source->geometry;
   const bool is_solid = !has_elements(shape);
   body.held.assign(body.blocks.size(), {});
@@ -111,12 +112,12 @@ void hold(const Boundaries<D>& boundaries, double reach, Body<T, D>& body) {
     const NodeBlock& block = body.blocks[b];
     for (std::int64_t slot = block.first; slot < block.first + block.nodes; ++slot) {
       const Point<D>& x = body.start[slot];
-      const double size = std::pow(body.mass[slot] / body.material.density, 1. / D);
+      const double reach = reach_of_node[body.number[slot]];
       for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
         const Wall<D>& wall = boundaries.walls[w];
         const double distance = wall.distance(x), rounding = on_wall * body.resolution;
-        if (!wall.is_attached() || distance >= reach * size - rounding) continue;
-        if (is_solid && distance > rounding && is_beyond_rim<D>(shape, wall, x, size / 2)) continue;
+        if (!wall.is_attached() || distance >= reach - rounding) continue;
+        if (is_solid && distance > rounding && is_beyond_rim<D>(shape, wall, x, reach)) continue;
         const auto place = static_cast<std::int32_t>(slot);
         body.held[b].push_back({place, w, wall.slips() ? wall.normal(x) : Point<D>{}, x});
       }

@@ -164,12 +164,12 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
 }
 
 template <int D>
-std::vector<double> volumes_of_free_elements(const Boundaries<D>& boundaries, double reach,
+std::vector<double> volumes_of_free_elements(const Boundaries<D>& boundaries,
+                                             const std::vector<double>& reach,
                                              const NodeCloud<D>& cloud) {
   std::vector<double> elastic(cloud.volumes.size(), 0);
   const auto is_held = [&](std::int32_t i) {
-    return boundaries.distance_to_no_slip(cloud.positions[i]) <
-           reach * std::pow(cloud.volumes[i], 1. / D);
+    return boundaries.distance_to_no_slip(cloud.positions[i]) < reach[i];
   };
   for (const std::array<std::int32_t, D + 1>& corners : cloud.elements) {
     if (std::ranges::all_of(corners, is_held)) continue;
@@ -189,9 +189,11 @@ template std::vector<double> fit_to_walls<2>(const Boundaries<2>&, const Shape&,
 template std::vector<double> fit_to_walls<3>(const Boundaries<3>&, const Shape&,
                                              const std::optional<Point<3>>&, NodeCloud<3>&);
 
-template std::vector<double> volumes_of_free_elements<2>(const Boundaries<2>&, double,
+template std::vector<double> volumes_of_free_elements<2>(const Boundaries<2>&,
+                                                         const std::vector<double>&,
                                                          const NodeCloud<2>&);
-template std::vector<double> volumes_of_free_elements<3>(const Boundaries<3>&, double,
+template std::vector<double> volumes_of_free_elements<3>(const Boundaries<3>&,
+                                                         const std::vector<double>&,
                                                          const NodeCloud<3>&);
 
 }  // namespace pliant::point_based

@@ -23,9 +23,17 @@ extern template std::vector<double> fit_to_walls<3>(const Boundaries<3>&, const 
 
 /// [node] the volume of the elements of a mesh at each node, without those that no-slip walls hold
 /// at all corners, as they cannot deform [m^D]. Walls hold the nodes that are nearer than `reach`
-/// times the root of the volume of the node.
+/// [m].
 template <int D>
-std::vector<double> volumes_of_free_elements(const Boundaries<D>& boundaries, double reach,
+std::vector<double> volumes_of_free_elements(const Boundaries<D>& boundaries,
+                                             const std::vector<double>& reach,
                                              const NodeCloud<D>& cloud);
+
+extern template std::vector<double> volumes_of_free_elements<2>(const Boundaries<2>&,
+                                                                const std::vector<double>&,
+                                                                const NodeCloud<2>&);
+extern template std::vector<double> volumes_of_free_elements<3>(const Boundaries<3>&,
+                                                                const std::vector<double>&,
+                                                                const NodeCloud<3>&);
 
 }  // namespace pliant::point_based

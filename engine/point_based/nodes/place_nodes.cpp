@@ -4,6 +4,7 @@
 #include <pliant/error.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "engine/point_based/bonds/bonds.hpp"
@@ -22,6 +23,17 @@ bool has_elements(const Shape& shape) {
          (shape.file.ends_with(".msh") || shape.file.ends_with(".vtk"));
 }
 
+namespace {
+
+template <int D>
+std::vector<double> half_of_spacings(const NodeCloud<D>& cloud) {
+  std::vector<double> half;
+  for (const double volume : cloud.volumes) half.push_back(std::pow(volume, 1. / D) / 2);
+  return half;
+}
+
+}  // namespace
+
 template <int D>
 PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
                            const Boundaries<D>& boundaries) {
@@ -31,18 +43,19 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
   PlacedNodes<D> nodes;
   if (has_elements(shape)) {
     nodes.cloud = nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate);
-    nodes.reach = reach_of_walls_in_meshes;
+    nodes.reach = element_sizes<D>(nodes.cloud);
+    for (double& reach : nodes.reach) reach *= reach_of_walls_in_meshes;
     nodes.alpha = 0.2;
   } else if (parameters_of(settings).nodes == NodePlacement::octree) {
     const double coarsest = parameters_of(settings).coarsest_spacing;
     pitch = lattice_pitch<D>(shape, spacing);
     nodes.cloud = octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing},
                                   CutPlaces<D>(settings, source, spacing / 2).take());
-    nodes.reach = 0.5;
+    nodes.reach = half_of_spacings<D>(nodes.cloud);
   } else {
     pitch = lattice_pitch<D>(shape, spacing);
     nodes.cloud = lattice_nodes<D>(shape, spacing);
-    nodes.reach = 0.5;
+    nodes.reach = half_of_spacings<D>(nodes.cloud);
     // Nodes at the surface have fewer neighbours, not farther ones, which would soften bending.
     const double widest = *std::max_element(pitch->begin(), pitch->end());
     for (int a = 0; a < D; ++a) nodes.stretch[a] = widest / (*pitch)[a];

@@ -17,7 +17,7 @@ template <int D>
 struct PlacedNodes {
   NodeCloud<D> cloud;
   std::vector<double> elastic_volumes;  ///< [node] of (PB.21) [m^D]
-  double reach = 0;  ///< a wall holds nodes within this distance, in units of V^(1/D)
+  std::vector<double> reach;            ///< [node] a wall holds nodes within this distance [m]
   /// [axis] factors that stretch the cells of the nodes' lattice to cubes, for distances in (PB.2)
   Point<D> stretch = stretch_of_cubes();
   /// h of (PB.2) [m]; infinite: from the distances of the nodes
