@@ -83,7 +83,7 @@ void warn_of_few_elements(const Case& a_case, std::vector<std::string>& warnings
 
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_few_elements(a_case, warnings);
-  undeformed::warn_of_coarse_tools(a_case, warnings);
+  undeformed::warn_of_coarse_tools(a_case, undeformed::bonded_punches, warnings);
   undeformed::warn_of_equation_of_state(a_case, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, point_based::has_elements, warnings);
   point_based::warn_of_walls_in_meshes(a_case, warnings);

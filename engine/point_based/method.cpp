@@ -132,7 +132,9 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_thin_bodies(a_case, errors, warnings);
   warn_of_coarse_cuts(a_case, warnings);
   warn_of_squeezed_lattices(a_case, warnings);
-  undeformed::warn_of_coarse_tools(a_case, warnings);
+  // Measured for a block that hangs from a box in its corner, docs/decisions/0079.
+  static constexpr NarrowToolError holding_box[] = {{4.1, 20}, {5.5, 18}, {8.5, 10}, {13, 6}};
+  undeformed::warn_of_coarse_tools(a_case, holding_box, warnings);
   undeformed::warn_of_equation_of_state(a_case, warnings);
   // Of a disc and of a ball; a square has 4.
   constexpr double excess_of_inertia = 6;

@@ -18,7 +18,7 @@ namespace {
 /// How a wall holds a mesh.
 struct Hold {
   double depth = 0;   ///< mean depth in the wall of the nodes that it holds in the elements it cuts
-  double extent = 0;  ///< how far the mesh reaches from the wall
+  double extent = 0;  ///< how far the mesh reaches from the wall, or half the width of the wall
 };
 
 template <int D>
@@ -43,6 +43,10 @@ Hold hold_of(const Shape& wall, const NodeCloud<D>& mesh) {
     }
   }
   if (count > 0) hold.depth /= count;
+  const Box<3> box = bounding_box(wall);
+  for (int a = 0; a < D; ++a) {
+    hold.extent = std::min(hold.extent, (box.upper[a] - box.lower[a]) / 2);
+  }
   return hold;
 }
 
@@ -59,8 +63,8 @@ void warn_of_body(const Case& a_case, const BodyCase& body, std::vector<std::str
     if (std::abs(hold.depth) <= unmentioned * hold.extent) continue;
     warnings.push_back(fmt::format(
         "the wall `{}` cuts through elements of body `{}` and holds it at nodes that lie {:.3g} m "
-        "{} it: it is about {:.2g} % too {}, and three times as much where it bends or "
-        "overhangs the wall; use a mesh with nodes on the wall",
+        "{} it: it is about {:.2g} % too {}, and up to five times as much where it bends, or "
+        "overhangs or surrounds the wall; use a mesh with nodes on the wall",
         boundary.name, body.name, std::abs(hold.depth), hold.depth > 0 ? "inside" : "before",
         100 * std::abs(hold.depth) / hold.extent, hold.depth > 0 ? "soft" : "stiff"));
   }

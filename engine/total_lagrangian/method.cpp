@@ -98,7 +98,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {6.5, "where walls that hold it squeeze it, forces are 3 to 8 % too large"},
       {8.5, "where walls that hold it squeeze it, forces are up to 5 % too large"}};
   undeformed::warn_of_squeezed_bodies(a_case, squeezed, warnings);
-  undeformed::warn_of_coarse_tools(a_case, warnings);
+  undeformed::warn_of_coarse_tools(a_case, undeformed::bonded_punches, warnings);
   // Of a ball; a square has 4, a disc 10.
   constexpr double excess_of_inertia = 13;
   warn_of_rotating_bodies(a_case, excess_of_inertia, warnings);
