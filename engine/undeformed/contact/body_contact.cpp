@@ -221,14 +221,16 @@ void BodyContact<T, D>::add_totals() {
     add_force(ties.contact(), on_first);
   }
   for (const Found& found : found_) {
-    for (const ContactPair<T, D>& pair : found.pairs.all()) {
+    for (std::size_t k = 0; k < found.pairs.all().size(); ++k) {
+      const ContactPair<T, D>& pair = found.pairs.all()[k];
+      const Point<D>& friction = found.pairs.friction(k);
       Point<D> on_first;
       for (int a = 0; a < D; ++a) {
-        on_first[a] = inertia * pair.side->sign *
-                      (pair.normal_impulse * pair.touch.normal[a] + pair.friction_impulse[a]);
+        on_first[a] =
+            inertia * pair.side->sign * (pair.normal_impulse * pair.touch.normal[a] + friction[a]);
       }
       add_force(pair.side->contact, on_first);
-      const double lost = -inertia * dot<D>(pair.friction_impulse, found.pairs.slip(pair));
+      const double lost = -inertia * dot<D>(friction, found.pairs.slip(pair));
       state_.energy.friction += lost;
       state_.power.friction += lost / times_.kick;
     }

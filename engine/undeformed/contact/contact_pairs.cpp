@@ -33,6 +33,7 @@ double coefficient_of(const ContactCase& contact) {
 template <class T, int D>
 void ContactPairs<T, D>::clear() {
   pairs_.clear();
+  friction_.clear();
   shares_.clear();
 }
 
@@ -48,6 +49,7 @@ void ContactPairs<T, D>::add(const ContactSide<T, D>& side, std::span<const Pene
     prepare(pair, times);
     if (pair.compliance >= least_meeting_compliance * pair.largest_compliance) {
       pairs_.push_back(pair);
+      friction_.push_back({{}, {}, slip(pair)});
     } else {
       shares_.resize(pair.first_share);
     }
@@ -88,10 +90,10 @@ void ContactPairs<T, D>::prepare(ContactPair<T, D>& pair, const ContactTimes& ti
     pair.compliance = compliance<D>(side.corners, corner_shares(pair), n) +
                       compliance<D>(side.facets, facet_shares(pair), n);
   }
-  pair.slip = slip(pair);
   // Velocities of the middle of a step may close a gap that was open at its start.
   if (times.drift != times.length) return;
-  pair.approach = std::max(pair.touch.gap / times.length - dot<D>(pair.slip, n), 0.);
+  const double speed = dot<D>(slip(pair), n);
+  pair.approach = std::max(pair.touch.gap / times.length - speed, 0.);
 }
 
 template <class T, int D>
@@ -104,9 +106,11 @@ ContactMotion<D> ContactPairs<T, D>::relative(const ContactPair<T, D>& pair) con
 template <class T, int D>
 double ContactPairs<T, D>::sweep(std::span<const ContactCase> contacts, const ContactTimes& times,
                                  double relaxation) {
+  const double drift = times.drift;
   double most = 0;
-  for (ContactPair<T, D>& pair : pairs_) {
-    most = std::max(most, push(pair, contacts[pair.side->contact], times.drift, relaxation));
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const ContactCase& contact = contacts[pairs_[k].side->contact];
+    most = std::max(most, push(pairs_[k], friction_[k], contact, drift, relaxation));
   }
   return most;
 }
@@ -114,40 +118,49 @@ double ContactPairs<T, D>::sweep(std::span<const ContactCase> contacts, const Co
 // Summed impulses never pull, and friction is limited by the summed normal impulse: a sweep
 // corrects what an earlier one has pushed too far.
 template <class T, int D>
-double ContactPairs<T, D>::push(ContactPair<T, D>& pair, const ContactCase& law, double drift,
-                                double relaxation) {
+double ContactPairs<T, D>::push(ContactPair<T, D>& pair, PairFriction<D>& friction,
+                                const ContactCase& law, double drift, double relaxation) {
   const Point<D>& n = pair.touch.normal;
-  const auto [w, apart] = relative(pair);
-  const double gap = pair.touch.gap + dot<D>(apart, n), speed = dot<D>(w, n);
+  const ContactMotion<D> motion = relative(pair);
+  const double gap = pair.touch.gap + dot<D>(motion.shift, n), speed = dot<D>(motion.velocity, n);
   const double impulse_now =
       std::max(-relaxation * (speed + pair.approach) / pair.compliance, -pair.normal_impulse);
   const double shift_now = std::max(-relaxation * gap / pair.compliance, -pair.normal_shift);
   pair.normal_impulse += impulse_now;
   pair.normal_shift += shift_now;
-  const double coefficient = coefficient_of(law);
-  Point<D> friction = {}, held = {};
-  if (coefficient > 0) {
-    const double compliance = pair.largest_compliance / relaxation;
-    Point<D> stray;
-    for (int a = 0; a < D; ++a) stray[a] = apart[a] - drift * (w[a] - pair.slip[a]);
-    friction =
-        held_back<D>(pair.friction_impulse, w, n, compliance, coefficient, pair.normal_impulse);
-    held = held_back<D>(pair.friction_shift, stray, n, compliance, coefficient, pair.normal_shift);
-  }
   Point<D> impulse, shift;
-  for (int a = 0; a < D; ++a) {
-    const double along = friction[a] - pair.friction_impulse[a];
-    impulse[a] = impulse_now * n[a] + along;
-    shift[a] = shift_now * n[a] + drift * along + held[a] - pair.friction_shift[a];
+  for (int a = 0; a < D; ++a) impulse[a] = impulse_now * n[a], shift[a] = shift_now * n[a];
+  if (const double coefficient = coefficient_of(law); coefficient > 0) {
+    const PairFriction<D> before = friction;
+    hold_back(pair, motion, coefficient, drift, relaxation, friction);
+    for (int a = 0; a < D; ++a) {
+      const double along = friction.impulse[a] - before.impulse[a];
+      impulse[a] += along;
+      shift[a] += drift * along + friction.shift[a] - before.shift[a];
+    }
   }
   if (impulse == Point<D>{} && shift == Point<D>{}) return 0;
-  pair.friction_impulse = friction;
-  pair.friction_shift = held;
   const double change = pair.compliance * std::sqrt(dot<D>(impulse, impulse));
   push_point<D>(pair.side->corners, corner_shares(pair), impulse, shift);
   for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], shift[a] = -shift[a];
   push_point<D>(pair.side->facets, facet_shares(pair), impulse, shift);
   return change;
+}
+
+template <class T, int D>
+void ContactPairs<T, D>::hold_back(const ContactPair<T, D>& pair, const ContactMotion<D>& motion,
+                                   double coefficient, double drift, double relaxation,
+                                   PairFriction<D>& friction) {
+  const Point<D>& n = pair.touch.normal;
+  const double compliance = pair.largest_compliance / relaxation;
+  Point<D> stray;
+  for (int a = 0; a < D; ++a) {
+    stray[a] = motion.shift[a] - drift * (motion.velocity[a] - friction.slip[a]);
+  }
+  friction.impulse = held_back<D>(friction.impulse, motion.velocity, n, compliance, coefficient,
+                                  pair.normal_impulse);
+  friction.shift =
+      held_back<D>(friction.shift, stray, n, compliance, coefficient, pair.normal_shift);
 }
 
 template class ContactPairs<double, 2>;

@@ -35,9 +35,14 @@ struct ContactPair {
   double largest_compliance = 0;                ///< as if no wall held the particles [1/kg]
   double approach = 0;                          ///< velocity of approach that it may keep [m/s]
   double normal_impulse = 0, normal_shift = 0;  ///< sums along the normal [N s], [kg m]
-  Point<D> friction_impulse = {};               ///< friction along the surface [N s]
-  Point<D> friction_shift = {};  ///< along it, so that shifts move nothing there [kg m]
-  Point<D> slip = {};            ///< velocity of the corner without contact, relative [m/s]
+};
+
+/// What friction does between a corner and the point that it touches.
+template <int D>
+struct PairFriction {
+  Point<D> impulse = {};  ///< along the surface [N s]
+  Point<D> shift = {};    ///< along it, so that other shifts move nothing there [kg m]
+  Point<D> slip = {};     ///< velocity of the corner without contact, relative to the point [m/s]
 };
 
 /// Corners that touch in a step, and the impulses there, (TL.16).
@@ -52,6 +57,8 @@ class ContactPairs {
   /// the largest change of the velocity between two [m/s].
   double sweep(std::span<const ContactCase> contacts, const ContactTimes& times, double relaxation);
   const std::vector<ContactPair<T, D>>& all() const { return pairs_; }
+  /// [pair] impulse of friction on the corner [N s]
+  const Point<D>& friction(std::size_t pair) const { return friction_[pair].impulse; }
   /// Velocity of the corner relative to the point that it touches [m/s].
   Point<D> slip(const ContactPair<T, D>& pair) const { return relative(pair).velocity; }
 
@@ -59,7 +66,11 @@ class ContactPairs {
   Point<D> face_before(const ContactPair<T, D>& pair, const std::array<Point<D>, D>& c,
                        double drift) const;
   void prepare(ContactPair<T, D>& pair, const ContactTimes& times);
-  double push(ContactPair<T, D>& pair, const ContactCase& law, double drift, double relaxation);
+  double push(ContactPair<T, D>& pair, PairFriction<D>& friction, const ContactCase& law,
+              double drift, double relaxation);
+  static void hold_back(const ContactPair<T, D>& pair, const ContactMotion<D>& motion,
+                        double coefficient, double drift, double relaxation,
+                        PairFriction<D>& friction);
   ContactMotion<D> relative(const ContactPair<T, D>& pair) const;
   std::span<const Share> corner_shares(const ContactPair<T, D>& pair) const {
     return pair.side->corners.shares(pair.touch.corner);
@@ -69,7 +80,8 @@ class ContactPairs {
   }
 
   std::vector<ContactPair<T, D>> pairs_;
-  std::vector<Share> shares_;  ///< of the touched points
+  std::vector<PairFriction<D>> friction_;  ///< [pair] apart, since most sweeps do not need it
+  std::vector<Share> shares_;              ///< of the touched points
 };
 
 extern template class ContactPairs<double, 2>;

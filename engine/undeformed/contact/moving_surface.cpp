@@ -223,25 +223,6 @@ void MovingSurface<T, D>::read_velocities(std::size_t first, std::size_t end) {
 }
 
 template <class T, int D>
-ContactMotion<D> MovingSurface<T, D>::motion(std::span<const Share> shares) const {
-  ContactMotion<D> sum = {};
-  for (const Share& share : shares) {
-    const ContactMotion<D>& carrier = motion_[share.slot];
-    for (int a = 0; a < D; ++a) sum.velocity[a] += share.weight * carrier.velocity[a];
-    for (int a = 0; a < D; ++a) sum.shift[a] += share.weight * carrier.shift[a];
-  }
-  return sum;
-}
-
-template <class T, int D>
-void MovingSurface<T, D>::change(std::int32_t number, const Point<D>& velocity,
-                                 const Point<D>& shift) {
-  ContactMotion<D>& carrier = motion_[number];
-  for (int a = 0; a < D; ++a) carrier.velocity[a] += velocity[a];
-  for (int a = 0; a < D; ++a) carrier.shift[a] += shift[a];
-}
-
-template <class T, int D>
 void MovingSurface<T, D>::write_motion(double rate) {
   auto& displacement = body_->*moved_;
   for (const std::int32_t i : watched_carriers_) {

@@ -90,9 +90,21 @@ class MovingSurface {
   /// Reads the velocities of the carriers of watched corners in the same way.
   void read_velocities(std::size_t first, std::size_t end);
   /// Velocity of a point, and its shift since velocities were read, from those of its carriers.
-  ContactMotion<D> motion(std::span<const Share> shares) const;
+  ContactMotion<D> motion(std::span<const Share> shares) const {
+    ContactMotion<D> sum = {};
+    for (const Share& share : shares) {
+      const ContactMotion<D>& carrier = motion_[share.slot];
+      for (int a = 0; a < D; ++a) sum.velocity[a] += share.weight * carrier.velocity[a];
+      for (int a = 0; a < D; ++a) sum.shift[a] += share.weight * carrier.shift[a];
+    }
+    return sum;
+  }
   /// Adds to the velocity [m/s] and the shift [m] of a carrier.
-  void change(std::int32_t number, const Point<D>& velocity, const Point<D>& shift);
+  void change(std::int32_t number, const Point<D>& velocity, const Point<D>& shift) {
+    ContactMotion<D>& carrier = motion_[number];
+    for (int a = 0; a < D; ++a) carrier.velocity[a] += velocity[a];
+    for (int a = 0; a < D; ++a) carrier.shift[a] += shift[a];
+  }
   /// Writes velocities and shifts of the carriers of watched corners into the body; `rate` as
   /// BodyCarriers has it.
   void write_motion(double rate);
