@@ -153,7 +153,7 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
     if (distance < size) {
       elastic[i] *= distance < -size ? 0 : elastic_share<D>(boundaries, shape, x, cell);
     }
-    if (cloud.elements.empty()) move_onto_walls<D>(boundaries, shape, cell, i, x, moved);
+    move_onto_walls<D>(boundaries, shape, cell, i, x, moved);
   }
   part<D>(moved, cloud.positions);
   for (const MovedNode<D>& one : moved) {

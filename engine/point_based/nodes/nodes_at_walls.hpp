@@ -8,8 +8,8 @@
 
 namespace pliant::point_based {
 
-/// [node] the elastic volume: the part of its volume outside no-slip walls [m^D], (PB.21). Nodes
-/// that are not given by a mesh move onto an attached wall within half of their spacing, so that
+/// [node] the elastic volume: the part of its volume outside no-slip walls [m^D], (PB.21). For
+/// nodes that no mesh gives: they move onto an attached wall within half of their spacing, so that
 /// the body is held where the wall is and not at the nearest node. `pitch` [m] is that of a
 /// lattice; for other nodes and those of large cells, the spacing follows from their volumes.
 template <int D>
