@@ -29,10 +29,8 @@ Hold hold_of(const Shape& wall, const NodeCloud<D>& mesh) {
     distance.push_back(signed_distance(wall, padded<D>(x), D));
     hold.extent = std::max(hold.extent, distance.back());
   }
-  const std::vector<double> size = element_sizes<D>(mesh);
-  const auto is_held = [&](std::int32_t i) {
-    return distance[i] < reach_of_walls_in_meshes * size[i];
-  };
+  const std::vector<double> reach = reach_of_walls<D>(mesh);
+  const auto is_held = [&](std::int32_t i) { return distance[i] < reach[i]; };
   int count = 0;
   for (const std::array<std::int32_t, D + 1>& corners : mesh.elements) {
     if (std::ranges::all_of(corners, is_held)) continue;

@@ -26,22 +26,22 @@ NodeCloud<D> nodes_of_mesh(const VolumeMesh& mesh, double scale, const Vector& t
 }
 
 template <int D>
-std::vector<double> element_sizes(const NodeCloud<D>& cloud) {
+std::vector<double> reach_of_walls(const NodeCloud<D>& cloud) {
   constexpr int elements_of_cube = D == 2 ? 2 : 6;
   std::vector<int> count(cloud.positions.size(), 0);
   for (const std::array<std::int32_t, D + 1>& corners : cloud.elements) {
     for (const std::int32_t corner : corners) ++count[corner];
   }
-  std::vector<double> sizes;
+  std::vector<double> reach;
   for (std::size_t i = 0; i < count.size(); ++i) {
-    const double mean = (D + 1) * cloud.volumes[i] / std::max(count[i], 1);
-    sizes.push_back(std::pow(elements_of_cube * mean, 1. / D));
+    const double mean = (D + 1) * cloud.volumes[i] / count[i];
+    reach.push_back(0.25 * std::pow(elements_of_cube * mean, 1. / D));
   }
-  return sizes;
+  return reach;
 }
 
-template std::vector<double> element_sizes<2>(const NodeCloud<2>&);
-template std::vector<double> element_sizes<3>(const NodeCloud<3>&);
+template std::vector<double> reach_of_walls<2>(const NodeCloud<2>&);
+template std::vector<double> reach_of_walls<3>(const NodeCloud<3>&);
 template NodeCloud<2> nodes_of_mesh<2>(const VolumeMesh&, double, const Vector&);
 template NodeCloud<3> nodes_of_mesh<3>(const VolumeMesh&, double, const Vector&);
 

@@ -5,23 +5,20 @@
 
 namespace pliant::point_based {
 
-/// Walls hold the nodes of a mesh within this distance, in units of the size of the elements there:
-/// vertices lie on the surface.
-inline constexpr double reach_of_walls_in_meshes = 0.25;
-
 /// One node at every vertex of a mesh of dimension D. Each element gives 1/(D + 1) of its volume to
 /// each corner, so node volumes sum to that of the mesh. Positions are `scale` times those of the
 /// file plus `translate`; `scale` is in metres per unit of the file.
 template <int D>
 NodeCloud<D> nodes_of_mesh(const VolumeMesh& mesh, double scale, const Vector& translate);
 
-/// [node] side of the cubes, in 2D squares, whose D! elements are as large as the mean of those at
-/// a node of a mesh [m].
+/// [node] distance within which a wall holds a node of a mesh, whose vertices lie on its surface: a
+/// quarter of the side of the cubes, in 2D squares, whose D! elements are as large as the mean of
+/// those at the node [m].
 template <int D>
-std::vector<double> element_sizes(const NodeCloud<D>& cloud);
+std::vector<double> reach_of_walls(const NodeCloud<D>& cloud);
 
-extern template std::vector<double> element_sizes<2>(const NodeCloud<2>&);
-extern template std::vector<double> element_sizes<3>(const NodeCloud<3>&);
+extern template std::vector<double> reach_of_walls<2>(const NodeCloud<2>&);
+extern template std::vector<double> reach_of_walls<3>(const NodeCloud<3>&);
 extern template NodeCloud<2> nodes_of_mesh<2>(const VolumeMesh&, double, const Vector&);
 extern template NodeCloud<3> nodes_of_mesh<3>(const VolumeMesh&, double, const Vector&);
 

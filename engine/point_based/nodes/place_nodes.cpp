@@ -43,8 +43,7 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
   PlacedNodes<D> nodes;
   if (has_elements(shape)) {
     nodes.cloud = nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate);
-    nodes.reach = element_sizes<D>(nodes.cloud);
-    for (double& reach : nodes.reach) reach *= reach_of_walls_in_meshes;
+    nodes.reach = reach_of_walls<D>(nodes.cloud);
     nodes.alpha = 0.2;
   } else if (parameters_of(settings).nodes == NodePlacement::octree) {
     const double coarsest = parameters_of(settings).coarsest_spacing;
