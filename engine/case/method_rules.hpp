@@ -51,6 +51,8 @@ struct MethodRules {
   void (*warn)(const Case& a_case, std::vector<std::string>& warnings) = nullptr;
   /// Null: estimates ignore the bodies.
   Footprint (*footprint)(const Case& a_case, const BodyCase& body) = nullptr;
+  /// Whether the particles of a body of this shape are the nodes of its mesh. Null: they never are.
+  bool (*has_elements)(const Shape& shape) = nullptr;
   /// Whether particles are remeshed. The case then has a kernel, dissipation of the lattice,
   /// `time.strain`, and the tables [remeshing], [level_set] and [ghosts].
   bool remeshes = false;
@@ -75,6 +77,12 @@ const MethodRules* rules_of(MethodList methods, std::string_view word);
 /// Whether the method of a case is known and remeshes particles.
 inline bool is_remeshed(const Case& a_case) {
   return a_case.rules != nullptr && a_case.rules->remeshes;
+}
+
+/// Whether the method of a case is known and takes the nodes of a body's mesh as they are.
+inline bool has_elements(const Case& a_case, const BodyCase& body) {
+  return a_case.rules != nullptr && a_case.rules->has_elements != nullptr &&
+         a_case.rules->has_elements(body.geometry);
 }
 
 /// Whether the damping rate of a case is that of the present motion.

@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "engine/case/checks/check.hpp"
+#include "engine/case/checks/resolution.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/finite_elements/measure.hpp"
 #include "engine/finite_elements/parameters.hpp"
 #include "engine/finite_elements/solver.hpp"
-#include "engine/geometry/closed_mesh.hpp"
-#include "engine/geometry/volume_mesh.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/method.hpp"
@@ -49,12 +46,6 @@ StepLimits step_limits(const Case& a_case) {
   return limits;
 }
 
-/// Edge of the cubes of six tetrahedra that have as many elements as this mesh [m].
-double mean_size(const Shape& mesh) {
-  const std::size_t elements = read_volume_mesh(mesh.file, 3).elements.size();
-  return std::cbrt(6 * mesh.mesh->volume() / static_cast<double>(elements));
-}
-
 // Measured in meshes of six tetrahedra to a cell: for a cantilever and a twisted bar of 3 to 16
 // cells across, and for cubes of 5 and 8 cells that are pressed to 0.6 of their height between
 // faces that hold them.
@@ -62,7 +53,7 @@ void warn_of_few_elements(const Case& a_case, std::vector<std::string>& warnings
   constexpr double bending = 2.3, torsion = 5, unmentioned = 0.015;
   constexpr double soft_ratio = 0.4, nearly_incompressible = 0.48, squeezed_unmentioned = 0.05;
   for (const BodyCase& body : a_case.bodies) {
-    const double across = thickness(a_case, body) / mean_size(body.geometry);
+    const double across = thickness(a_case, body) / resolution_of(a_case, body).size;
     const double share = 1 / (across * across);
     if (bending * share >= unmentioned) {
       warnings.push_back(fmt::format(
@@ -83,7 +74,10 @@ void warn_of_few_elements(const Case& a_case, std::vector<std::string>& warnings
 
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_few_elements(a_case, warnings);
-  undeformed::warn_of_coarse_tools(a_case, undeformed::bonded_punches, warnings);
+  // Measured for bonded punches and a block that hangs from a box in its corner, of six tetrahedra
+  // to a cell.
+  static constexpr NarrowToolError attached[] = {{3.3, 25}, {4.6, 17}, {6.5, 13}, {9, 9}};
+  undeformed::warn_of_coarse_tools(a_case, attached, warnings);
   undeformed::warn_of_equation_of_state(a_case, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, point_based::has_elements, warnings);
   point_based::warn_of_walls_in_meshes(a_case, warnings);
@@ -100,6 +94,7 @@ RegisteredMethod method() {
            .step_limits = step_limits,
            .warn = warn,
            .footprint = point_based::footprint,
+           .has_elements = point_based::has_elements,
            .has_self_contact = true},
           make_solver<Solver>};
 }

@@ -193,6 +193,7 @@ RegisteredMethod method() {
            .step_limits = step_limits,
            .warn = warn,
            .footprint = footprint,
+           .has_elements = has_elements,
            .has_self_contact = true},
           make_solver<Solver>};
 }

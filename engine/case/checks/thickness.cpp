@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/case/attached_walls.hpp"
+#include "engine/case/checks/resolution.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
 #include "engine/geometry/climb.hpp"
 #include "engine/geometry/reentrant_corner.hpp"
@@ -91,16 +92,15 @@ void warn_of(const Case& a_case, std::span<const ThinBodyError> errors, const Le
   constexpr double rounding = 0.01;  // including the error of the search
   const double enough = errors.back().across;
   for (const BodyCase& body : a_case.bodies) {
-    const double size = length(a_case, body), across = size / a_case.discretisation.spacing;
+    const Resolution resolution = resolution_of(a_case, body);
+    const double size = length(a_case, body), across = size / resolution.size;
     const auto error = std::ranges::find_if(errors, [across](const ThinBodyError& one) {
       return across < one.across * (1 - rounding);
     });
     if (error == errors.end()) continue;
-    warnings.push_back(
-        fmt::format("{} `{}` is {:.2g} spacings {}: {}; use a finer spacing "
-                    "(discretisation.spacing = {:.3g} or below)",
-                    what, body.name, across, what == "body" ? "thick" : "across", error->deviation,
-                    size / enough));
+    warnings.push_back(fmt::format("{} `{}` is {:.2g} {} {}: {}; {}", what, body.name, across,
+                                   resolution.units(), what == "body" ? "thick" : "across",
+                                   error->deviation, resolution.remedy(size / enough)));
   }
 }
 
@@ -169,9 +169,10 @@ void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> 
 void warn_of_rotating_bodies(const Case& a_case, double factor,
                              std::vector<std::string>& warnings) {
   constexpr double unmentioned = 0.02;
-  const double h = a_case.discretisation.spacing;
   for (const BodyCase& body : a_case.bodies) {
     if (!body.velocity.rotation) continue;
+    const Resolution resolution = resolution_of(a_case, body);
+    const double h = resolution.size;
     const Vector& rate = body.velocity.rotation->angular_velocity;
     const double rate2 = rate[0] * rate[0] + rate[1] * rate[1] + rate[2] * rate[2];
     if (rate2 == 0) continue;
@@ -184,9 +185,8 @@ void warn_of_rotating_bodies(const Case& a_case, double factor,
     if (deviation < unmentioned) continue;
     warnings.push_back(fmt::format(
         "body `{}` rotates with a moment of inertia that is up to {:.2g} % too large, and so are "
-        "the energy and the angular momentum of the rotation; use a finer spacing "
-        "(discretisation.spacing = {:.3g} or below) or method = \"remeshed\"",
-        body.name, 100 * deviation, h * std::sqrt(unmentioned / deviation)));
+        "the energy and the angular momentum of the rotation; {} or method = \"remeshed\"",
+        body.name, 100 * deviation, resolution.remedy(h * std::sqrt(unmentioned / deviation))));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/case/checks/resolution.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
 #include "engine/geometry/is_round.hpp"
 #include "engine/geometry/signed_distance.hpp"
@@ -34,12 +35,23 @@ bool is_contact_wall(const BoundaryCase& wall) {
   return wall.kind == BoundaryCase::Kind::contact_wall;
 }
 
-double least_width(const Case& a_case, const BoundaryCase& wall) {
-  double width = infinity;
-  for (const BodyCase& body : a_case.bodies) {
-    width = std::min(width, width_of_tool(a_case, wall, body));
+/// The part of a wall that meets a body.
+struct Meeting {
+  double width = infinity;  ///< [m]
+  Resolution resolution;    ///< of the body
+
+  double across() const { return width / resolution.size; }
+};
+
+/// Where a wall is the narrowest for the resolution of the body; `resolutions` are [body].
+Meeting narrowest(const Case& a_case, const std::vector<Resolution>& resolutions,
+                  const BoundaryCase& wall) {
+  Meeting narrowest;
+  for (std::size_t i = 0; i < a_case.bodies.size(); ++i) {
+    const Meeting one = {width_of_tool(a_case, wall, a_case.bodies[i]), resolutions[i]};
+    if (i == 0 || one.across() < narrowest.across()) narrowest = one;
   }
-  return width;
+  return narrowest;
 }
 
 }  // namespace
@@ -55,26 +67,30 @@ double width_of_tool(const Case& a_case, const BoundaryCase& wall, const BodyCas
 
 void warn_of_narrow_tools(const Case& a_case, const NarrowToolErrors& all_errors,
                           std::vector<std::string>& warnings) {
-  const double h = a_case.discretisation.spacing;
+  std::vector<Resolution> resolutions;
+  for (const BodyCase& body : a_case.bodies) resolutions.push_back(resolution_of(a_case, body));
   for (const BoundaryCase& wall : a_case.boundaries) {
-    const double width = least_width(a_case, wall);
+    const Meeting meeting = narrowest(a_case, resolutions, wall);
     const std::span<const NarrowToolError> errors = !is_contact_wall(wall)    ? all_errors.attached
                                                     : is_round(wall.geometry) ? all_errors.round
                                                                               : all_errors.edged;
     const auto error = std::ranges::find_if(
-        errors, [&](const NarrowToolError& e) { return width < e.across * h; });
+        errors, [&](const NarrowToolError& e) { return meeting.across() < e.across; });
     if (error == errors.end()) continue;
-    warnings.push_back(fmt::format(
-        "the wall `{}` is {:.2g} spacings wide: its force deviates by up to {} %; use a finer "
-        "spacing (discretisation.spacing = {:.3g} or below)",
-        wall.name, width / h, error->deviation, width / errors.back().across));
+    warnings.push_back(
+        fmt::format("the wall `{}` is {:.2g} {} wide: its force deviates by up to {} %; {}",
+                    wall.name, meeting.across(), meeting.resolution.units(), error->deviation,
+                    meeting.resolution.remedy(meeting.width / errors.back().across)));
   }
 }
 
 void warn_of_tools(const Case& a_case, std::string_view deviation,
                    std::vector<std::string>& warnings) {
   for (const BoundaryCase& wall : a_case.boundaries) {
-    if (!is_contact_wall(wall) || std::isinf(least_width(a_case, wall))) continue;
+    const bool presses_on_a_part = std::ranges::any_of(a_case.bodies, [&](const BodyCase& body) {
+      return std::isfinite(width_of_tool(a_case, wall, body));
+    });
+    if (!is_contact_wall(wall) || !presses_on_a_part) continue;
     warnings.push_back(
         fmt::format("the contact wall `{}` is round, or presses on a part of a body only: {}",
                     wall.name, deviation));

@@ -44,6 +44,30 @@ TEST_F(ElementRuns, a_tumbling_block_keeps_momenta_to_rounding_and_its_energy) {
   }
 }
 
+// A block that hangs from such a wall moves by 0.76 of its way, by points by 1.13.
+TEST_F(ElementRuns, narrow_walls_are_measured_in_elements_whatever_the_spacing) {
+  const std::string wall = R"toml(
+[[boundary]]
+name = "grip"
+kind = "fixed"
+geometry = { shape = "box", lower = [-0.1, -0.1, -0.1], upper = [0.25, 1.1, 0.5] }
+)toml";
+  for (const std::string method : {"finite_elements", "point_based"}) {
+    for (const std::string spacing : {"0.02", "0.3"}) {
+      const std::vector<std::string> warnings = warnings_of_method(tests::read_text(
+          text(8) + wall, {"method=" + method, "discretisation.spacing=" + spacing}));
+      EXPECT_EQ(std::ranges::count_if(warnings,
+                                      [](const std::string& warning) {
+                                        return warning.find(
+                                                   "the wall `grip` is 2.8 elements wide: "
+                                                   "its force deviates by up to 2") == 0;
+                                      }),
+                1)
+          << method << ", spacing " << spacing;
+    }
+  }
+}
+
 TEST_F(ElementRuns, meshes_of_few_tetrahedra_are_warned_of) {
   const std::vector<std::string> coarse = warnings_of_method(tests::read_text(text(5)));
   ASSERT_EQ(coarse.size(), 1u);
