@@ -9,6 +9,7 @@
 #include "engine/finite_elements/parameters.hpp"
 #include "engine/finite_elements/solver.hpp"
 #include "engine/method/initial_stress.hpp"
+#include "engine/method/initial_velocity.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/method.hpp"
 #include "engine/point_based/nodes/place_nodes.hpp"
@@ -81,6 +82,8 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   undeformed::warn_of_equation_of_state(a_case, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, point_based::has_elements, warnings);
   point_based::warn_of_walls_in_meshes(a_case, warnings);
+  // Measured for a cube of 12 cells with four velocities.
+  warn_of_initial_motion(a_case, {.boxes = 1.15, .others = 1.15}, warnings);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "engine/case/checks/thickness.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/method/initial_stress.hpp"
+#include "engine/method/initial_velocity.hpp"
 #include "engine/point_based/cutting/cut_resolution.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/nodes/place_nodes.hpp"
@@ -136,9 +137,8 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr NarrowToolError holding_box[] = {{4.1, 20}, {5.5, 18}, {8.5, 10}, {13, 6}};
   undeformed::warn_of_coarse_tools(a_case, holding_box, warnings);
   undeformed::warn_of_equation_of_state(a_case, warnings);
-  // Of a disc and of a ball; a square has 4.
-  constexpr double excess_of_inertia = 6;
-  warn_of_rotating_bodies(a_case, excess_of_inertia, warnings);
+  // Measured for squares, discs and balls that rotate or are sheared.
+  warn_of_initial_motion(a_case, {.boxes = 1, .others = 1.1}, warnings);
   // Measured for cubes between plates that press them to 0.75 and 0.6 of their height, with
   // Poisson's ratios of 0.4 to 0.49.
   static constexpr ThinBodyError squeezed[] = {

@@ -8,6 +8,7 @@
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/geometry/plane_across.hpp"
+#include "engine/method/initial_velocity.hpp"
 #include "engine/total_lagrangian/observe/measure.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/solver.hpp"
@@ -99,9 +100,8 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {8.5, "where walls that hold it squeeze it, forces are up to 5 % too large"}};
   undeformed::warn_of_squeezed_bodies(a_case, squeezed, warnings);
   undeformed::warn_of_coarse_tools(a_case, undeformed::bonded_punches, warnings);
-  // Of a ball; a square has 4, a disc 10.
-  constexpr double excess_of_inertia = 13;
-  warn_of_rotating_bodies(a_case, excess_of_inertia, warnings);
+  // Measured for squares, discs and balls that rotate or are sheared.
+  warn_of_initial_motion(a_case, {.boxes = 1, .others = 2}, warnings);
 }
 
 // Particles lie on the corners of all cells that the body fills, wholly or in part.

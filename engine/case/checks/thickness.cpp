@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/case/attached_walls.hpp"
+#include "engine/case/checks/probes.hpp"
 #include "engine/case/checks/resolution.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
 #include "engine/geometry/climb.hpp"
@@ -20,33 +21,7 @@ namespace pliant {
 
 namespace {
 
-constexpr double probes = 4000;  // for a body; a search for a maximum starts at the best of them
-constexpr int climbers = 8;
-
-/// The centres of the cells of a lattice in a box.
-std::vector<Vector> middles(const Box<3>& box, int dimension, double step) {
-  std::array<int, 3> count = {1, 1, 1};
-  for (int a = 0; a < dimension; ++a) {
-    count[a] = static_cast<int>(std::ceil((box.upper[a] - box.lower[a]) / step));
-  }
-  std::vector<Vector> found;
-  for (int k = 0; k < count[0] * count[1] * count[2]; ++k) {
-    const std::array<int, 3> cell = {k % count[0], k / count[0] % count[1],
-                                     k / count[0] / count[1]};
-    Vector& x = found.emplace_back();
-    for (int a = 0; a < dimension; ++a) {
-      x[a] = box.lower[a] + (cell[a] + 0.5) * (box.upper[a] - box.lower[a]) / count[a];
-    }
-  }
-  return found;
-}
-
-/// The distance between neighbours of some `probes` points in a box.
-double step_of_probes(const Box<3>& box, int dimension) {
-  double volume = 1;
-  for (int a = 0; a < dimension; ++a) volume *= box.upper[a] - box.lower[a];
-  return std::pow(volume / probes, 1. / dimension);
-}
+constexpr int climbers = 8;  // a search for a maximum starts at the best probes
 
 /// The length of a body along the axis along which it is longest.
 double length_of(const BodyCase& body, int dimension) {
@@ -164,30 +139,6 @@ void warn_of_thin_bodies(const Case& a_case, std::span<const ThinBodyError> erro
 void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> errors,
                              std::vector<std::string>& warnings) {
   warn_of(a_case, errors, opening, "the surface that walls leave free on body", warnings);
-}
-
-void warn_of_rotating_bodies(const Case& a_case, double factor,
-                             std::vector<std::string>& warnings) {
-  constexpr double unmentioned = 0.02;
-  for (const BodyCase& body : a_case.bodies) {
-    if (!body.velocity.rotation) continue;
-    const Resolution resolution = resolution_of(a_case, body);
-    const double h = resolution.size;
-    const Vector& rate = body.velocity.rotation->angular_velocity;
-    const double rate2 = rate[0] * rate[0] + rate[1] * rate[1] + rate[2] * rate[2];
-    if (rate2 == 0) continue;
-    const Box<3> box = bounding_box(body.geometry);
-    double across2 = 0;
-    for (int a = 0; a < a_case.dimension; ++a) {
-      across2 += std::pow(box.upper[a] - box.lower[a], 2) * (1 - rate[a] * rate[a] / rate2);
-    }
-    const double deviation = factor * h * h / across2;
-    if (deviation < unmentioned) continue;
-    warnings.push_back(fmt::format(
-        "body `{}` rotates with a moment of inertia that is up to {:.2g} % too large, and so are "
-        "the energy and the angular momentum of the rotation; {} or method = \"remeshed\"",
-        body.name, 100 * deviation, resolution.remedy(h * std::sqrt(unmentioned / deviation))));
-  }
 }
 
 void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::string>& warnings) {

@@ -39,11 +39,6 @@ void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> 
 /// (L h/t^2)^2 if its length is L and its thickness t.
 void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::string>& warnings);
 
-/// Adds a warning for each body that rotates at t = 0 with a moment of inertia that is more than 2
-/// % too large, as masses of particles on the surface lie too far outside: by up to `factor`
-/// h^2/(a^2 + b^2) for a body that is a by b across its axis.
-void warn_of_rotating_bodies(const Case& a_case, double factor, std::vector<std::string>& warnings);
-
 /// Errors of bodies that round walls hold, over (h/R)^2, R the radius of the wall.
 struct RoundWallError {
   double cylinder;  ///< also a disc in 2D

@@ -92,31 +92,6 @@ TEST(thickness, only_bodies_below_the_number_are_warned_of_by_their_worst) {
 }
 
 // The ball of docs/equations.md, (TL.34), 8 spacings across.
-TEST(thickness, rotating_bodies_are_warned_of_by_their_moment_of_inertia) {
-  const std::string ball = R"toml(
-dimension = 3
-discretisation.spacing = 0.125
-time.end = 1
-[[body]]
-name = "ball"
-geometry = { shape = "ball", centre = [0, 0, 0], radius = 0.5 }
-material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 1 }
-)toml";
-  std::vector<std::string> warnings;
-  warn_of_rotating_bodies(tests::read_text(ball), 13, warnings);
-  EXPECT_TRUE(warnings.empty());
-  const Case turning =
-      tests::read_text(ball + "rotation = { centre = [0, 0, 0], angular_velocity = [0, 0, 3] }\n");
-  warn_of_rotating_bodies(turning, 2.5, warnings);
-  EXPECT_TRUE(warnings.empty()) << "1.95 %";
-  warn_of_rotating_bodies(turning, 13, warnings);
-  ASSERT_EQ(warnings.size(), 1);
-  EXPECT_EQ(warnings[0],
-            "body `ball` rotates with a moment of inertia that is up to 10 % too large, and so are "
-            "the energy and the angular momentum of the rotation; use a finer spacing "
-            "(discretisation.spacing = 0.0555 or below) or method = \"remeshed\"");
-}
-
 TEST(thickness, slender_bodies_are_warned_of_by_their_deviation) {
   const Case a_case = tests::read_text(tests::block_case);  // L h/t^2 = 0.2
   std::vector<std::string> warnings;
