@@ -77,7 +77,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_few_elements(a_case, warnings);
   // Measured for bonded punches and a block that hangs from a box in its corner, of six tetrahedra
   // to a cell.
-  static constexpr NarrowToolError attached[] = {{3.3, 25}, {4.6, 17}, {6.5, 13}, {9, 9}};
+  static constexpr NarrowToolError attached[] = {{3.3, 25}, {4.6, 17}, {6.5, 13}, {9, 10}};
   undeformed::warn_of_coarse_tools(a_case, attached, warnings);
   undeformed::warn_of_equation_of_state(a_case, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, point_based::has_elements, warnings);

@@ -10,8 +10,8 @@ namespace pliant {
 /// What the errors of a body depend on: the spacing of its particles, or the size of its elements
 /// where a method takes the nodes of its mesh as they are.
 struct Resolution {
-  double size;       ///< [m]
-  bool of_elements;  ///< else of particles
+  double size = 0;           ///< [m]
+  bool of_elements = false;  ///< else of particles
 
   /// As in "4 spacings wide".
   std::string_view units() const { return of_elements ? "elements" : "spacings"; }
