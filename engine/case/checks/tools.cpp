@@ -87,10 +87,10 @@ void warn_of_narrow_tools(const Case& a_case, const NarrowToolErrors& all_errors
 void warn_of_tools(const Case& a_case, std::string_view deviation,
                    std::vector<std::string>& warnings) {
   for (const BoundaryCase& wall : a_case.boundaries) {
-    const bool presses_on_a_part = std::ranges::any_of(a_case.bodies, [&](const BodyCase& body) {
+    const auto meets_a_part = [&](const BodyCase& body) {
       return std::isfinite(width_of_tool(a_case, wall, body));
-    });
-    if (!is_contact_wall(wall) || !presses_on_a_part) continue;
+    };
+    if (!is_contact_wall(wall) || std::ranges::none_of(a_case.bodies, meets_a_part)) continue;
     warnings.push_back(
         fmt::format("the contact wall `{}` is round, or presses on a part of a body only: {}",
                     wall.name, deviation));
