@@ -40,7 +40,8 @@ class ClosedMesh {
 
   const std::vector<Vector>& vertices() const { return mesh_.vertices; }
   const std::vector<Triangle>& triangles() const { return mesh_.triangles; }
-  std::size_t dropped() const { return dropped_; }  ///< triangles of the file without area
+  std::size_t elements() const { return mesh_.elements; }  ///< of the file, if of tetrahedra; or 0
+  std::size_t dropped() const { return dropped_; }         ///< triangles of the file without area
   const Box<3>& bounds() const { return bounds_; }
   double volume() const { return volume_; }  ///< [m^3]
 

@@ -29,6 +29,7 @@ using Triangle = std::array<std::int32_t, 3>;  ///< vertices, counter-clockwise 
 struct SurfaceMesh {
   std::vector<Vector> vertices;  ///< in the unit of the file; finite
   std::vector<Triangle> triangles;
+  std::size_t elements = 0;  ///< inside, where the surface is that of a mesh of tetrahedra
 };
 
 /// Reads a file with the extension .stl (ASCII or binary), .obj (polygons become fans of triangles)

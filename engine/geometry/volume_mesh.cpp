@@ -38,7 +38,7 @@ SurfaceMesh boundary_of(const VolumeMesh& mesh) {
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Facet& a, const Facet& b) { return a.sorted < b.sorted; });
-  SurfaceMesh surface{mesh.vertices, {}};
+  SurfaceMesh surface{mesh.vertices, {}, mesh.elements.size()};
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i + 1 < all.size() && all[i].sorted == all[i + 1].sorted) {
       ++i;

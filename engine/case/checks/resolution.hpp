@@ -20,8 +20,8 @@ struct Resolution {
   std::string remedy(double enough) const;
 };
 
-/// The size of elements is the edge of the squares of two triangles or cubes of six tetrahedra that
-/// have as many elements as the mesh of the body.
+/// The size of elements is the edge of the cubes of six tetrahedra that have as many elements as
+/// the mesh of the body.
 Resolution resolution_of(const Case& a_case, const BodyCase& body);
 
 }  // namespace pliant
