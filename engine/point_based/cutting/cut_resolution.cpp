@@ -9,6 +9,7 @@
 
 #include "engine/boundaries/rigid_motion.hpp"
 #include "engine/case/blade_track.hpp"
+#include "engine/case/checks/resolution.hpp"
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/point_based/parameters.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 // Results of docs/validation/robustness.py for cut plates: with 10 spacings the mouth is 5 % too
 // narrow, with 8 by 10 %. If bonds are severed at once (visibility), it is 25 % too wide with 10,
 // and 9 % with 14.
-double least_spacings(CutRule rule) { return rule == CutRule::visibility ? 20 : 10; }
+double least_advance(CutRule rule) { return rule == CutRule::visibility ? 20 : 10; }
 
 double distance(const Vector& a, const Vector& b) {
   return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
@@ -72,9 +73,10 @@ void warn_of_coarse_cuts(const Case& settings, std::vector<std::string>& warning
           cut.name));
       continue;
     }
-    const double spacings = length_of(cut) / settings.discretisation.spacing;
-    if (!(spacings < least_spacings(rule))) continue;
-    if (spacings == 0) {
+    const Resolution resolution = resolution_of(settings, settings.bodies[cut.body]);
+    const double advance = length_of(cut) / resolution.size;
+    if (!(advance < least_advance(rule))) continue;
+    if (advance == 0) {
       warnings.push_back(fmt::format(
           "the blade of cut `{}` stays where it starts, so that it cuts nothing; give a "
           "path that depends on t",
@@ -82,9 +84,10 @@ void warn_of_coarse_cuts(const Case& settings, std::vector<std::string>& warning
       continue;
     }
     warnings.push_back(fmt::format(
-        "the cut `{}` advances by {:.2g} spacings only, so that it opens by 5 to 25 % too "
-        "little or too much; use a finer spacing (discretisation.spacing below {:.3g}){}",
-        cut.name, spacings, length_of(cut) / least_spacings(rule),
+        "the cut `{}` advances by {:.2g} {} only, so that it opens by 5 to 25 % too little or too "
+        "much; {}{}",
+        cut.name, advance, resolution.units(),
+        resolution.remedy(length_of(cut) / least_advance(rule)),
         rule == CutRule::visibility ? ", or point_based.cut_rule = \"transparency\"" : ""));
   }
 }
