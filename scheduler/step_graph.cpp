@@ -18,6 +18,9 @@ namespace {
 
 constexpr int no_timer = -1;
 
+// Nodes of a graph that takes long on one thread, so that there is no need to try.
+constexpr std::size_t large_graph = 1000;
+
 double seconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
@@ -123,11 +126,20 @@ void StepGraph::name_timers() {
 void StepGraph::run(Workers& workers) {
   if (NodeRunner* runner = workers.delegate())
     return workers.execute([&] { run_through(*runner); });
-  workers.execute([&] {
-    const auto start = Clock::now();
-    blocks_.count() > 1 ? run_in_parallel(workers) : run_in_order(workers.index());
-    finish_record(start, workers.threads());
-  });
+  workers.execute([&] { run_on(workers); });
+}
+
+// The nodes of one block wait for each other. Other workers would wake for nothing.
+void StepGraph::run_on(const Workers& workers) {
+  const auto start = Clock::now();
+  if (blocks_.count() <= 1) {
+    run_in_order(workers.index());
+    return finish_record(start, workers.threads());
+  }
+  const bool is_large = tasks_.size() > large_graph;
+  is_large || gain_.is_expected() ? run_in_parallel(workers) : run_in_order(workers.index());
+  finish_record(start, workers.threads());
+  if (!is_large) gain_.record(record_.wall_seconds);
 }
 
 void StepGraph::run_in_parallel(const Workers& workers) {
@@ -141,7 +153,6 @@ void StepGraph::run_in_parallel(const Workers& workers) {
   }
 }
 
-// The nodes of one block wait for each other. Other workers would wake for nothing.
 void StepGraph::run_in_order(int worker) {
   const ZeroSubnormals arithmetic;
   for (std::size_t n = 0; n < nodes().size(); ++n)

@@ -8,6 +8,7 @@
 
 #include "scheduler/blocks.hpp"
 #include "scheduler/dependencies.hpp"
+#include "scheduler/parallel_gain.hpp"
 #include "scheduler/phase.hpp"
 #include "scheduler/step_record.hpp"
 #include "scheduler/workers.hpp"
@@ -29,8 +30,9 @@ class StepGraph {
   StepGraph& operator=(StepGraph&&) noexcept;
   ~StepGraph();
 
-  /// Runs the step. Only the first run with these workers allocates. If a phase throws, the nodes
-  /// that have not started are cancelled and the exception is rethrown; the graph can run again.
+  /// Runs the step, on all workers if that makes it faster. Only the first run on all of them
+  /// allocates. If a phase throws, the nodes that have not started are cancelled and the exception
+  /// is rethrown; the graph can run again.
   void run(Workers& workers);
 
   /// Runs the step on the calling thread in a legal order that `seed` selects.
@@ -45,6 +47,10 @@ class StepGraph {
 
   /// Names of the phases without repetition, in the order of their list, without exchanges.
   const std::vector<std::string>& timer_names() const { return timer_names_; }
+  /// What runs have shown; a graph that replaces another one can take it over.
+  const ParallelGain& parallel_gain() const { return gain_; }
+  void set_parallel_gain(const ParallelGain& gain) { gain_ = gain; }
+
   const StepRecord& record() const { return record_; }
   StepRecord& record() { return record_; }
 
@@ -72,6 +78,7 @@ class StepGraph {
   };
   struct Flow;
 
+  void run_on(const Workers& workers);
   void run_in_parallel(const Workers& workers);
   void run_in_order(int worker);
   void run_through(NodeRunner& runner);
@@ -88,6 +95,7 @@ class StepGraph {
   std::vector<int> timer_of_phase_;
   std::vector<Task> tasks_;  // [node]
   StepRecord record_;
+  ParallelGain gain_;
   std::unique_ptr<Flow> flow_;  // for the last workers
 };
 

@@ -51,8 +51,10 @@ scheduler::StepGraph& CachedGraph<D>::over(const Layouts<D>& layouts,
   if (serves(layouts)) return *graph_;
   scheduler::Blocks blocks = connect_blocks<D>(layouts, slack);
   if (graph_ && has_counts(layouts)) add_neighbours(blocks, graph_->blocks());
+  const scheduler::ParallelGain gain = graph_ ? graph_->parallel_gain() : scheduler::ParallelGain();
   graph_ =
       std::make_unique<scheduler::StepGraph>(make_phases(), std::move(blocks), resource_names_);
+  graph_->set_parallel_gain(gain);
   block_counts_.clear();
   for (const Layout<D>* layout : layouts) block_counts_.push_back(layout->blocks().size());
   return *graph_;

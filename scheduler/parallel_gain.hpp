@@ -1,0 +1,23 @@
+#pragma once
+
+namespace pliant::scheduler {
+
+/// Whether other workers make a graph faster. Where its nodes take microseconds, waking workers and
+/// handing nodes to them takes longer than they save, and keeps cores busy that others could use.
+///
+/// A graph runs a few times on the calling thread alone, a few times on all workers, and then for a
+/// while in the better way. One that takes long alone goes on all workers at once.
+class ParallelGain {
+ public:
+  /// Whether the next run should be on all workers.
+  bool is_expected() const;
+
+  /// After a run in the expected way, which took `wall` [s].
+  void record(double wall);
+
+ private:
+  int run_ = 0;                      // since the trials began
+  double alone_ = 0, together_ = 0;  // shortest times of the trials [s]
+};
+
+}  // namespace pliant::scheduler

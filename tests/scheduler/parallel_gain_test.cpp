@@ -1,0 +1,44 @@
+#include "scheduler/parallel_gain.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pliant::scheduler {
+
+namespace {
+
+constexpr int runs = 500;
+
+/// The share of 500 runs on all workers of a graph that takes that long [s].
+double share_on_all_workers(ParallelGain& gain, double alone, double together) {
+  int on_all = 0;
+  for (int run = 0; run < runs; ++run) {
+    const bool is_parallel = gain.is_expected();
+    on_all += is_parallel;
+    gain.record(is_parallel ? together : alone);
+  }
+  return static_cast<double>(on_all) / runs;
+}
+
+}  // namespace
+
+TEST(parallel_gain, a_short_graph_stays_on_the_calling_thread_unless_others_make_it_faster) {
+  ParallelGain gain;
+  EXPECT_LT(share_on_all_workers(gain, 100e-6, 120e-6), 0.01);
+  gain = {};
+  EXPECT_LT(share_on_all_workers(gain, 100e-6, 90e-6), 0.01) << "not worth the other cores";
+  gain = {};
+  EXPECT_GT(share_on_all_workers(gain, 400e-6, 250e-6), 0.99);
+}
+
+TEST(parallel_gain, a_long_graph_runs_on_the_calling_thread_once) {
+  ParallelGain gain;
+  EXPECT_EQ(share_on_all_workers(gain, 5e-3, 3e-3), 1 - 1. / runs);
+}
+
+TEST(parallel_gain, a_graph_that_becomes_longer_is_tried_again) {
+  ParallelGain gain;
+  share_on_all_workers(gain, 100e-6, 120e-6);
+  EXPECT_GT(share_on_all_workers(gain, 400e-6, 250e-6), 0.99);
+}
+
+}  // namespace pliant::scheduler
