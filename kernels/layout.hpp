@@ -67,6 +67,10 @@ enum class Kind : std::uint8_t {
   image = 4
 };
 
+/// Marks a slot that holds an interior particle by 1, others by 0. Kernels multiply by marks; they
+/// are in single precision always, since they take memory in every slot.
+using Mark = float;
+
 /// The content of a pack: vacant; ghosts or images without interior particles; interior particles
 /// in some slots, or in all.
 enum class PackState : std::uint8_t { vacant = 0, ghosts = 1, some = 2, all = 3 };

@@ -37,11 +37,12 @@ void filter(benchmark::State& state, Isa isa) {
   test::Body<double, 2> body(box<2>(state.range(0)), 0.01, Model::linear);
   std::int64_t particles = 0;
   body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
+  const test::Field<double> inside(body.patch.interior.begin(), body.patch.interior.end());
   test::Field<double> filtered(body.patch.slots);
   const Filter<double, 2> arguments{body.patch.segments.data(),
                                     static_cast<int>(body.patch.segments.size()),
                                     0.2,
-                                    body.patch.interior.data(),
+                                    inside.data(),
                                     body.mass.data(),
                                     filtered.data()};
   for (auto _ : state) RemeshedTable<double, 2>::of(isa).filter(arguments);

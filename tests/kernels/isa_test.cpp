@@ -103,7 +103,8 @@ Values<T> remeshing(const RemeshedTable<T, D>& kernels, Model model, Kernel) {
   Values<T> nodes(size), filtered(body.patch.slots);
   arguments.nodes = nodes.data();
   kernels.scatter(arguments);
-  kernels.filter({body.patch.segments.data(), segment_count, T(0.2), body.patch.interior.data(),
+  const Field<T> inside(body.patch.interior.begin(), body.patch.interior.end());
+  kernels.filter({body.patch.segments.data(), segment_count, T(0.2), inside.data(),
                   state.velocity[0].data(), filtered.data()});
   nodes.insert(nodes.end(), filtered.begin(), filtered.end());
   return nodes;

@@ -72,7 +72,7 @@ class Patch {
   T spacing;
   std::int64_t slots;
   std::vector<Segment<D>> segments;
-  Field<T> interior;
+  Field<Mark> interior;
   std::vector<Kind> kind;
   std::vector<PackState> pack_state;
 

@@ -258,7 +258,7 @@ void Remeshing<T, D>::grow_stages() {
   for (Buffer<T>& pressure : body_.stage[0][Field::memory_pressure])
     body_.memory.push_back(pressure.get());
   body_.for_each_array([slots](Field, int, auto components) {
-    for (Buffer<T>& component : components) component.grow(slots, T(0));
+    for (auto& component : components) component.grow(slots, 0);
   });
   body_.records.grow(body_.population.slot_of_record.size() * kernels::record_width<D>, T(0));
 }

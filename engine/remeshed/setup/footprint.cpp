@@ -19,7 +19,8 @@ double values_of_slot(const BodyCase& body) {
   for (const Declaration& f : state_fields) {
     state += f.copies * components<D>(f.rank, material, terms);
   }
-  constexpr int stress = kernels::symmetric_components<D>, interior = 1;
+  constexpr int stress = kernels::symmetric_components<D>;
+  constexpr double interior = static_cast<double>(sizeof(kernels::Mark)) / sizeof(double);
   const int memory = terms > 0 ? terms + 1 : 0;  // filtered p_i, J - 1
   return state + stress + interior + (D == 3 ? 1 : 0) + memory;
 }

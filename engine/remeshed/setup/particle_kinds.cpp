@@ -75,7 +75,7 @@ void prepare_slots(Body<T, D>& body, int block) {
     const Kind* kind = body.population.kind.get();
     std::transform(kind + segment.first, kind + segment.first + segment.count,
                    body.interior.get() + segment.first,
-                   [](Kind k) { return k == Kind::interior ? T(1) : T(0); });
+                   [](Kind k) { return kernels::Mark(k == Kind::interior); });
     for (std::int64_t p = segment.first; p < segment.first + segment.count; p += pack) {
       if (holds_interior(body.population.pack_state[p / pack])) continue;
       const auto clear = [p](Buffer<T>& values) { std::fill_n(values.get() + p, pack, T(0)); };

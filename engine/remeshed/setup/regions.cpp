@@ -111,14 +111,15 @@ class RegionSearch {
     if (first >= 0) f(first, next - first);
   }
 
-  void add_slots(Field field, int copy, std::span<Buffer<T>> components) {
+  template <class Components>
+  void add_slots(Field field, int copy, Components&& components) {
     const Layout<D>& layout = body_.population.layout;
     const bool has_parts = group_list[field_list[field].group].has_parts;
     if (!is_wanted(field, copy, has_parts ? wanted_.part : Part::particles)) return;
     const auto part = [&](std::int64_t slot, const Cell<D>&) {
       return has_parts ? part_of(body_.population.kind[slot]) : Part::particles;
     };
-    for (Buffer<T>& component : components) {
+    for (auto& component : components) {
       for_each_stretch(layout, wanted_.part, part, [&](std::int64_t first, std::int64_t count) {
         add(component.get() + first, count);
       });

@@ -201,8 +201,8 @@ struct Body {
   Population<T, D> population, spare;
   std::array<FieldStore<T, D>, 3> stage;  ///< see buffer_of, drift_buffer_of; 0, 1: all fields
   std::array<Buffer<T>, kernels::symmetric_components<D>> stress;  ///< of the even stages
-  Buffer<T> last_odd_stress;  ///< the component of the odd stages that has no other memory
-  Buffer<T> interior;         ///< [slot] of `population`: 1 for interior particles, else 0
+  Buffer<T> last_odd_stress;       ///< the component of the odd stages that has no other memory
+  Buffer<kernels::Mark> interior;  ///< [slot] of `population`
   std::vector<kernels::PronyTerm<T>> prony;
   std::vector<T*> memory;   ///< [term] p_i of `stage[0]`
   Buffer<T> volume_change;  ///< J - 1 at the start of the step; empty without p_i

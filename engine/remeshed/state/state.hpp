@@ -64,7 +64,7 @@ struct State {
     for (const Body<T, D>& body : bodies) {
       for (const auto& store : body.stage) sum += store.bytes();
       body.for_each_array([&sum](Field, int, auto components) {
-        for (const Buffer<T>& component : components) sum += component.bytes();
+        for (const auto& component : components) sum += component.bytes();
       });
       sum += body.neighbours.bytes() + body.records.bytes();
     }

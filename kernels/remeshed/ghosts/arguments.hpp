@@ -43,7 +43,7 @@ struct SurfaceRecords {
   Material<T> material;
   const T* mass;
   const T* level_set;
-  const T* interior;  ///< 1 for interior particles, else 0
+  const Mark* interior;  ///< 1 for interior particles, else 0
   Evolving<const T, D> state;
   std::array<const T*, symmetric_components<D>> stress;
   T* records;                 ///< [record][record_width]

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/pack.hpp"
+#include "kernels/marks.hpp"
 #include "kernels/remeshed/ghosts/arguments.hpp"
 #include "kernels/remeshed/stage/moment.hpp"
 
@@ -126,7 +126,7 @@ inline void sum_slope_row(const SurfaceRecords<Scalar<P>, D>& block, std::int64_
   const int half_width = slope_stencil<T>.half_width[square];
   for (int x = -half_width; x <= half_width; ++x) {
     const std::int64_t slot = middle + x;
-    const P w = P(slope_stencil<T>.weight[x * x + square]) * load<P>(block.interior + slot);
+    const P w = P(slope_stencil<T>.weight[x * x + square]) * load_marks<P>(block.interior + slot);
     const P along(static_cast<T>(x)), w_along = w * along;
     cells.weight = cells.weight + w;
     cells.offset[0] = cells.offset[0] + w_along;

@@ -73,7 +73,7 @@ struct Stage {
   Gradient gradient;
   Material<T> material;
   const PackState* pack_state;          ///< [slot / slots_per_pack]
-  const T* interior;                    ///< [slot], 1 for interior particles, else 0
+  const Mark* interior;                 ///< [slot], 1 for interior particles, else 0
   const NeighbourLists<D>* neighbours;  ///< nullptr: use the stencil
   const T* mass;
   Evolving<const T, D> current;  ///< Q of this stage
@@ -104,7 +104,7 @@ struct StressOfState {
   int segment_count;
   Material<T> material;
   const PackState* pack_state;
-  const T* interior;
+  const Mark* interior;
   const T* mass;
   Evolving<const T, D> state;
   std::array<T*, symmetric_components<D>> stress;
@@ -119,7 +119,7 @@ struct LatticeField {
   int segment_count;
   T spacing;
   const PackState* pack_state;
-  const T* interior;
+  const Mark* interior;
   std::array<const T*, D> field;
 };
 

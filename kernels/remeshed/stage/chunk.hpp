@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/law.hpp"
+#include "kernels/marks.hpp"
 #include "kernels/remeshed/stage/arguments.hpp"
 
 namespace pliant::kernels {
@@ -25,8 +26,8 @@ struct ChunkGradients {
 
 /// Mask of the interior particles of a register.
 template <class P>
-inline auto interior_lanes(const Scalar<P>* interior, std::int64_t slot) {
-  return load<P>(interior + slot) > P(Scalar<P>(0.5));
+inline auto interior_lanes(const Mark* interior, std::int64_t slot) {
+  return load_marks<P>(interior + slot) > P(Scalar<P>(0.5));
 }
 
 /// Lanes in which x is a finite number.
@@ -40,7 +41,7 @@ inline auto finite_lanes(const P& x) {
 template <Model model, class P, int D>
 inline void store_stress(const Material<Scalar<P>>& material,
                          const P (&carried)[material_component_count<D>(model)], const P& density,
-                         PackState state, const Scalar<P>* interior, std::int64_t slot,
+                         PackState state, const Mark* interior, std::int64_t slot,
                          Scalar<P>* const (&stress)[symmetric_components<D>]) {
   P sigma[symmetric_components<D>];
   Law<model, P, D>::stress(material, carried, density, sigma);

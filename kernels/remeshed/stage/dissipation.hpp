@@ -14,16 +14,17 @@ namespace pliant::kernels {
 /// Whether all fluxes between the particles of a pack and their neighbours are between interior
 /// particles.
 template <class P, int D>
-inline bool flow_everywhere(const Scalar<P>* interior, const LineOffsets (&line)[D]) {
+inline bool flow_everywhere(const Mark* interior, const LineOffsets (&line)[D]) {
   const P half(Scalar<P>(0.5));
   bool flow = true;
   for (int at = 0; at < slots_per_pack; at += lanes<P>) {
     P near(Scalar<P>(1));
 #pragma GCC unroll 3
     for (const LineOffsets& l : line) {
-      near = near * load<P>(interior + at + l.away[1]) * load<P>(interior + at + l.away[2]);
+      near = near * load_marks<P>(interior + at + l.away[1]) *
+             load_marks<P>(interior + at + l.away[2]);
     }
-    flow = flow && xsimd::all(near > half || load<P>(interior + at) < half);
+    flow = flow && xsimd::all(near > half || load_marks<P>(interior + at) < half);
   }
   return flow;
 }
@@ -34,17 +35,18 @@ inline constexpr bool damps_by_sixth_differences = D == 3;
 
 /// Whether the particles of a pack have three interior neighbours to each side along each line.
 template <class P, int D>
-inline bool is_far_inside(const Scalar<P>* interior, const LineOffsets (&line)[D],
+inline bool is_far_inside(const Mark* interior, const LineOffsets (&line)[D],
                           const FarOffsets (&far)[D]) {
   bool inside = true;
   for (int at = 0; at < slots_per_pack; at += lanes<P>) {
-    P all = load<P>(interior + at);
+    P all = load_marks<P>(interior + at);
 #pragma GCC unroll 3
     for (int axis = 0; axis < D; ++axis) {
 #pragma GCC unroll 4
-      for (const std::int64_t away : line[axis].away) all = all * load<P>(interior + at + away);
-      all = all * load<P>(interior + at + far[axis].before) *
-            load<P>(interior + at + far[axis].after);
+      for (const std::int64_t away : line[axis].away)
+        all = all * load_marks<P>(interior + at + away);
+      all = all * load_marks<P>(interior + at + far[axis].before) *
+            load_marks<P>(interior + at + far[axis].after);
     }
     inside = inside && xsimd::all(all > P(Scalar<P>(0.5)));
   }
@@ -55,7 +57,7 @@ inline bool is_far_inside(const Scalar<P>* interior, const LineOffsets (&line)[D
 /// Returns a mask: bit k is set if the particles of pack k are far inside.
 template <class P, int D>
 unsigned sixth_differences(const Scalar<P>* const* velocity, const Segment<D>& segment,
-                           const Scalar<P>* interior, const Chunk& chunk,
+                           const Mark* interior, const Chunk& chunk,
                            Scalar<P> (*result)[chunk_slots]) {
   LineOffsets line[D];
   FarOffsets far[D];
@@ -104,7 +106,7 @@ constexpr bool takes_differences(int field) {
 /// get sixth differences instead.
 template <class P, int D, int F>
 void swept_differences(const Scalar<P>* const (&field)[F], const Segment<D>& segment,
-                       const Scalar<P>* interior, const Chunk& chunk,
+                       const Mark* interior, const Chunk& chunk,
                        Scalar<P> (&result)[F][chunk_slots]) {
   constexpr int pack = slots_per_pack;
   constexpr int first = damps_by_sixth_differences<D> ? D : 0;
@@ -155,12 +157,12 @@ template <class P>
 struct SecondDifferences {
   P before, own, after;
 
-  SecondDifferences(const Scalar<P>* interior, const LineOffsets& line) {
-    const P pair_before = load<P>(interior) * load<P>(interior + line.away[1]);
-    const P pair_after = load<P>(interior) * load<P>(interior + line.away[2]);
-    before = pair_before * load<P>(interior + line.away[0]);
+  SecondDifferences(const Mark* interior, const LineOffsets& line) {
+    const P pair_before = load_marks<P>(interior) * load_marks<P>(interior + line.away[1]);
+    const P pair_after = load_marks<P>(interior) * load_marks<P>(interior + line.away[2]);
+    before = pair_before * load_marks<P>(interior + line.away[0]);
     own = pair_before * pair_after;
-    after = pair_after * load<P>(interior + line.away[3]);
+    after = pair_after * load_marks<P>(interior + line.away[3]);
   }
 
   /// Half the derivative of the sum of their squares with respect to the value at `centre`.
@@ -176,7 +178,7 @@ struct SecondDifferences {
 
 /// Whether all second differences contribute to the force on every slot of a pack.
 template <class P, int D>
-inline bool pull_everywhere(const Scalar<P>* interior, const LineOffsets (&line)[D]) {
+inline bool pull_everywhere(const Mark* interior, const LineOffsets (&line)[D]) {
   bool pull = true;
   for (int at = 0; at < slots_per_pack; at += lanes<P>) {
     P inside(Scalar<P>(1));
@@ -195,7 +197,7 @@ inline bool pull_everywhere(const Scalar<P>* interior, const LineOffsets (&line)
 /// alike.
 template <class P, int D>
 void place_differences(const Scalar<P>* const (&drift)[D], const Segment<D>& segment,
-                       const Scalar<P>* interior, const Chunk& chunk,
+                       const Mark* interior, const Chunk& chunk,
                        Scalar<P> (&result)[D][chunk_slots]) {
   constexpr int pack = slots_per_pack;
   LineOffsets line[D];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/pack.hpp"
+#include "kernels/marks.hpp"
 
 namespace pliant::kernels {
 
@@ -43,10 +43,10 @@ inline P fourth_difference(const Scalar<P>* centre, const LineOffsets& line,
 /// Fluxes between slots that are both inside (`inside` is 1 there, 0 elsewhere): none cross the
 /// surface.
 template <class P>
-inline Fluxes<P> fluxes_between(const Scalar<P>* inside, const LineOffsets& line) {
-  const P here = load<P>(inside), half(Scalar<P>(0.5));
-  return {here * load<P>(inside + line.away[2]) > half,
-          here * load<P>(inside + line.away[1]) > half};
+inline Fluxes<P> fluxes_between(const Mark* inside, const LineOffsets& line) {
+  const P here = load_marks<P>(inside), half(Scalar<P>(0.5));
+  return {here * load_marks<P>(inside + line.away[2]) > half,
+          here * load_marks<P>(inside + line.away[1]) > half};
 }
 
 /// Fluxes whose four slots are all inside.

@@ -13,10 +13,10 @@ template <class P>
 struct LineNeighbours {
   P before, after, share;
 
-  void find(const Scalar<P>* interior, const LineOffsets& line) {
+  void find(const Mark* interior, const LineOffsets& line) {
     using T = Scalar<P>;
-    before = load<P>(interior + line.away[1]);
-    after = load<P>(interior + line.away[2]);
+    before = load_marks<P>(interior + line.away[1]);
+    after = load_marks<P>(interior + line.away[2]);
     // 1 over the number of these neighbours; 1 if there is none.
     share = fused_minus(P(T(0.5)), xsimd::max(before + after, P(T(1))), P(T(1.5)));
   }
@@ -34,7 +34,7 @@ inline P line_derivative(const Scalar<P>* field, const LineNeighbours<P>& neighb
 
 /// Largest abs(grad f)_F^2 of a chunk's interior particles, lane by lane [1/h^2].
 template <class P, int D>
-P largest_gradient2(const std::array<const Scalar<P>*, D>& field, const Scalar<P>* interior,
+P largest_gradient2(const std::array<const Scalar<P>*, D>& field, const Mark* interior,
                     const Segment<D>& segment, const Chunk& chunk, P largest2) {
   LineOffsets line[D];
   for (int axis = 0; axis < D; ++axis) {

@@ -23,18 +23,20 @@ inline FarOffsets far_offsets(const Segment<D>& segment, int axis) {
 /// (`inside` is 1 there, 0 elsewhere), third differences replace it, the flux of fourth_difference.
 /// There is no flux between two slots that are not both inside.
 template <class P>
-inline P sixth_difference(const Scalar<P>* centre, const Scalar<P>* inside, const LineOffsets& line,
+inline P sixth_difference(const Scalar<P>* centre, const Mark* inside, const LineOffsets& line,
                           const FarOffsets& far) {
   using T = Scalar<P>;
   const P half(T(0.5)), zero(T(0)), three(T(3)), quarter(T(0.25)), five(T(5)), ten(T(10));
-  const P value = load<P>(centre), here = load<P>(inside);
+  const P value = load<P>(centre), here = load_marks<P>(inside);
   const P first = load<P>(centre + line.away[0]), before = load<P>(centre + line.away[1]);
   const P after = load<P>(centre + line.away[2]), last = load<P>(centre + line.away[3]);
-  const P in_first = load<P>(inside + line.away[0]), in_before = load<P>(inside + line.away[1]);
-  const P in_after = load<P>(inside + line.away[2]), in_last = load<P>(inside + line.away[3]);
+  const P in_first = load_marks<P>(inside + line.away[0]),
+          in_before = load_marks<P>(inside + line.away[1]);
+  const P in_after = load_marks<P>(inside + line.away[2]),
+          in_last = load_marks<P>(inside + line.away[3]);
   const P near = in_first * in_before * in_after * in_last * here;
-  const auto wide_up = near * load<P>(inside + far.after) > half;
-  const auto wide_down = near * load<P>(inside + far.before) > half;
+  const auto wide_up = near * load_marks<P>(inside + far.after) > half;
+  const auto wide_down = near * load_marks<P>(inside + far.before) > half;
   const P up3 = fused_minus(three, after - value, last - before);
   const P down3 = fused_minus(three, value - before, after - first);
   const P up5 =

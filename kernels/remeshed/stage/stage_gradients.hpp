@@ -168,8 +168,8 @@ template <class P, int D>
 /// Stores gradients at position `at` of the chunk; zero in slots that are not interior.
 template <class P, int D>
 [[gnu::always_inline]] inline void store_gradients(StageGradients<P, D>& gradients, PackState state,
-                                                   const Scalar<P>* interior, std::int64_t slot,
-                                                   int at, ChunkGradients<Scalar<P>, D>& chunk) {
+                                                   const Mark* interior, std::int64_t slot, int at,
+                                                   ChunkGradients<Scalar<P>, D>& chunk) {
   if (state != PackState::all) {
     const auto inside = interior_lanes<P>(interior, slot);
     const P zero(Scalar<P>(0));

@@ -24,13 +24,13 @@ struct SurfaceParticle {
   State<T, D>& state() { return body.states[0]; }
 
   /// Sets a slot field to a function of the lattice distance from the particle.
-  template <class F>
-  void set(Field<T>& field, F&& value) {
+  template <class U, class F>
+  void set(Field<U>& field, F&& value) {
     const auto origin = body.patch.node(cell);
     body.patch.for_each([&](std::int64_t p, const auto& other) {
       auto x = body.patch.node(other);
       for (int i = 0; i < D; ++i) x[i] -= origin[i];
-      field[p] = static_cast<T>(value(x));
+      field[p] = static_cast<U>(value(x));
     });
   }
 

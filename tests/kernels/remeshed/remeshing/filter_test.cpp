@@ -14,7 +14,7 @@ struct FilteredPatch {
 
   explicit FilteredPatch(const std::function<double(const std::array<int, D>&)>& value)
       : patch(cells(), T(1)),
-        inside(patch.interior),
+        inside(patch.interior.begin(), patch.interior.end()),
         field(patch.slots, 0),
         result(patch.slots, 0) {
     patch.for_each([&](std::int64_t p, const auto& cell) { field[p] = T(value(cell)); });
@@ -126,7 +126,8 @@ TEST(fourth_difference, inside_is_that_of_the_fluxes_and_of_the_binomial_coeffic
   constexpr int width = 8;
   std::array<Field<double>, 1> random = {Field<double>(5 * width)};
   jitter(random, 1., 4);
-  const Field<double>&values = random[0], inside(5 * width, 1.);
+  const Field<double>& values = random[0];
+  const Field<Mark> inside(5 * width, 1);
   const LineOffsets line = {{-2 * width, -width, width, 2 * width}};
   const Fluxes<P> all = fluxes_between<P>(&inside[2 * width], line);
   const double* centre = &values[2 * width];

@@ -14,7 +14,8 @@ constexpr LineOffsets line = {{-2, -1, 1, 2}};
 constexpr FarOffsets far = {-3, 3};
 
 struct Line {
-  alignas(64) std::array<double, length + 2 * pad> field = {}, inside = {};
+  alignas(64) std::array<double, length + 2 * pad> field = {};
+  alignas(64) std::array<Mark, length + 2 * pad> inside = {};
 
   explicit Line(double (*f)(double)) {
     for (int i = 0; i < length; ++i) {
