@@ -44,8 +44,8 @@ std::string Row::name() const {
 
 std::string Row::kernel() const {
   const bool is_by_precision = is_point_based(settings) || is_total_lagrangian(settings);
-  return std::string(is_by_precision ? text_of(settings.precision)
-                                     : text_of(settings.discretisation.kernel));
+  return std::string(is_by_precision ? pliant::text_of(settings.precision)
+                                     : pliant::text_of(settings.discretisation.kernel));
 }
 
 double Row::flop() const {

@@ -31,7 +31,7 @@ Completion completion_of(const OptionModel& option) {
   return is_file || (option.names.empty() && !is_name) ? Completion::files : Completion::none;
 }
 
-OptionModel model_of(const CLI::Option& option) {
+OptionModel model_of_option(const CLI::Option& option) {
   OptionModel model;
   for (const std::string& name : option.get_snames()) model.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) model.names.push_back("--" + name);
@@ -49,7 +49,7 @@ OptionModel model_of(const CLI::Option& option) {
 CommandModel model_of_command(const CLI::App& app) {
   CommandModel model{app.get_name(), one_line(app.get_description()), app.get_footer(), {}, {}, {}};
   for (const CLI::Option* option : app.get_options()) {
-    const OptionModel one = model_of(*option);
+    const OptionModel one = model_of_option(*option);
     (one.names.empty() ? model.arguments : model.options).push_back(one);
   }
   const auto is_for_people = [](const CLI::App* command) { return !command->get_group().empty(); };

@@ -15,19 +15,19 @@
 namespace pliant {
 namespace {
 
-using Point = Eigen::Vector3d;
+using Vector3 = Eigen::Vector3d;
 
-Point point(const Vector& v) { return {v[0], v[1], v[2]}; }
-Vector vector(const Point& p) { return {p[0], p[1], p[2]}; }
+Vector3 point(const Vector& v) { return {v[0], v[1], v[2]}; }
+Vector vector(const Vector3& p) { return {p[0], p[1], p[2]}; }
 
-using Corners = std::array<Point, 3>;
+using Corners = std::array<Vector3, 3>;
 
 Corners corners_of(const SurfaceMesh& mesh, std::size_t triangle) {
   const Triangle& t = mesh.triangles[triangle];
   return {point(mesh.vertices[t[0]]), point(mesh.vertices[t[1]]), point(mesh.vertices[t[2]])};
 }
 
-Point unit_normal(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).normalized(); }
+Vector3 unit_normal(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).normalized(); }
 
 using BoxTree = Eigen::KdBVH<double, 3, int>;
 
@@ -35,7 +35,7 @@ using BoxTree = Eigen::KdBVH<double, 3, int>;
 struct Search {
   const SurfaceMesh& mesh;
   const BoxTree& tree;
-  Point x;
+  Vector3 x;
   double best = std::numeric_limits<double>::infinity();  // squared distance
   int triangle = -1;
   TriangleFoot foot = {};
@@ -67,7 +67,7 @@ struct Search {
 };
 
 double enclosed_volume(const SurfaceMesh& mesh) {
-  const Point origin = point(mesh.vertices.front());
+  const Vector3 origin = point(mesh.vertices.front());
   double six_volumes = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Corners c = corners_of(mesh, t);
@@ -77,7 +77,7 @@ double enclosed_volume(const SurfaceMesh& mesh) {
 }
 
 double angle_at(const Corners& c, int k) {
-  const Point a = c[(k + 1) % 3] - c[k], b = c[(k + 2) % 3] - c[k];
+  const Vector3 a = c[(k + 1) % 3] - c[k], b = c[(k + 2) % 3] - c[k];
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
@@ -106,7 +106,7 @@ ClosedMesh::ClosedMesh(SurfaceMesh mesh, const std::string& name) : mesh_(std::m
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     triangles.push_back(static_cast<int>(t));
     Eigen::AlignedBox3d& box = boxes.emplace_back();
-    for (const Point& corner : corners_of(mesh_, t)) box.extend(corner);
+    for (const Vector3& corner : corners_of(mesh_, t)) box.extend(corner);
     whole.extend(box);
   }
   bounds_ = {vector(whole.min()), vector(whole.max())};
@@ -117,17 +117,17 @@ ClosedMesh::ClosedMesh(SurfaceMesh mesh, const std::string& name) : mesh_(std::m
 ClosedMesh::~ClosedMesh() = default;
 
 void ClosedMesh::find_pseudonormals(const std::vector<HalfEdge>& edges) {
-  std::vector<Point> at_vertex(mesh_.vertices.size(), Point::Zero());
+  std::vector<Vector3> at_vertex(mesh_.vertices.size(), Vector3::Zero());
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     const Corners c = corners_of(mesh_, t);
-    const Point normal = unit_normal(c);
+    const Vector3 normal = unit_normal(c);
     for (int k = 0; k < 3; ++k) at_vertex[mesh_.triangles[t][k]] += angle_at(c, k) * normal;
   }
-  for (const Point& normal : at_vertex) vertex_normals_.push_back(vector(normal));
+  for (const Vector3& normal : at_vertex) vertex_normals_.push_back(vector(normal));
   edge_normals_.resize(mesh_.triangles.size());
   for (std::size_t e = 0; e < edges.size(); e += 2) {
     const HalfEdge &a = edges[e], &b = edges[e + 1];
-    const Point sum =
+    const Vector3 sum =
         unit_normal(corners_of(mesh_, a.triangle)) + unit_normal(corners_of(mesh_, b.triangle));
     edge_normals_[a.triangle][a.corner] = edge_normals_[b.triangle][b.corner] = vector(sum);
   }
@@ -136,7 +136,7 @@ void ClosedMesh::find_pseudonormals(const std::vector<HalfEdge>& edges) {
 ClosedMesh::Nearest ClosedMesh::nearest(const Vector& x) const {
   Search search{mesh_, tree_->boxes, point(x)};
   search.descend(tree_->boxes.getRootIndex());
-  Point normal;
+  Vector3 normal;
   switch (search.foot.part) {
     case TriangleFoot::Part::face:
       normal = unit_normal(corners_of(mesh_, search.triangle));
@@ -147,12 +147,12 @@ ClosedMesh::Nearest ClosedMesh::nearest(const Vector& x) const {
     case TriangleFoot::Part::corner:
       normal = point(vertex_normals_[mesh_.triangles[search.triangle][search.foot.corner]]);
   }
-  const Point offset = search.x - search.foot.place;
+  const Vector3 offset = search.x - search.foot.place;
   const double distance = offset.norm();
   const double sign = offset.dot(normal) < 0 ? -1 : 1;
   // On the surface itself, the direction of the offset is only rounding.
   const bool on_surface = distance <= 1e-14 * search.x.norm() || distance == 0;
-  const Point direction = on_surface ? normal.normalized() : Point(sign / distance * offset);
+  const Vector3 direction = on_surface ? normal.normalized() : Vector3(sign / distance * offset);
   return {sign * distance, vector(direction)};
 }
 

@@ -12,8 +12,6 @@
 namespace pliant {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// One face of a box: across `axis`, at its lower or upper end.
 struct Face {
   int axis;
@@ -53,6 +51,7 @@ std::optional<Shape> continued(const Shape& body, const Face& face, const Shape&
                                const Walls& walls, int dimension) {
   const double size = size_of(body, dimension);
   Shape part = body;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   face.end_of(part) = face.upper ? infinity : -infinity;
   if (wall.kind == Shape::Kind::half_space) {
     const bool faces_body = wall.normal[face.axis] == (face.upper ? -1 : 1);

@@ -24,6 +24,6 @@ void sync(hid_t file);
 
 /// Keeps the file in the state of the last commit: later writes of HDF5, for example when it closes
 /// the file, are ignored.
-void abandon(hid_t file);
+void abandon(hid_t file) noexcept;
 
 }  // namespace pliant::hdf5
