@@ -7,28 +7,36 @@ namespace pliant::scheduler {
 namespace {
 
 // The first run on all workers may start them, and builds the flow graph.
-constexpr int trials_alone = 4, all_trials = 8, trials_again = 500;  // [runs]
-constexpr double long_time = 1e-3;                                   // [s]
+constexpr int trials_alone = 4, all_trials = 12;  // [runs]
+constexpr int first_stretch = 500, longest_stretch = 100'000;
+constexpr double long_time = 1e-3;      // [s]
 constexpr double largest_share = 0.85;  // of the time alone that is worth the other cores
 
 }  // namespace
 
 bool ParallelGain::is_expected() const {
-  if (run_ < all_trials) return run_ >= trials_alone;
-  return together_ < largest_share * alone_;
+  return run_ < all_trials ? run_ >= trials_alone : is_chosen_;
 }
 
 void ParallelGain::record(double wall) {
-  if (run_ == 0) {
-    alone_ = wall;
-    together_ = 0;
-    if (wall > long_time) run_ = all_trials;
-  } else if (run_ < trials_alone) {
-    alone_ = std::min(alone_, wall);
-  } else if (run_ < all_trials) {
-    together_ = run_ == trials_alone ? wall : std::min(together_, wall);
+  double& shortest = run_ < trials_alone ? alone_ : together_;
+  const bool is_first = run_ == 0 || run_ == trials_alone;
+  shortest = is_first ? wall : std::min(shortest, wall);
+  ++run_;
+  if (run_ == 1 && alone_ > long_time) {
+    choose(true);
+  } else if (run_ == all_trials) {
+    choose(together_ < largest_share * alone_);
+  } else if (run_ == stretch_) {
+    run_ = 0;
   }
-  if (++run_ == trials_again) run_ = 0;
+}
+
+void ParallelGain::choose(bool all_workers) {
+  stretch_ = all_workers == is_chosen_ ? std::clamp(2 * stretch_, first_stretch, longest_stretch)
+                                       : first_stretch;
+  is_chosen_ = all_workers;
+  run_ = all_trials;
 }
 
 }  // namespace pliant::scheduler

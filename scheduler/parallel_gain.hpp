@@ -6,7 +6,8 @@ namespace pliant::scheduler {
 /// handing nodes to them takes longer than they save, and keeps cores busy that others could use.
 ///
 /// A graph runs a few times on the calling thread alone, a few times on all workers, and then for a
-/// while in the better way. One that takes long alone goes on all workers at once.
+/// while in the better way, longer each time that the same way wins. One that takes long alone goes
+/// on all workers at once.
 class ParallelGain {
  public:
   /// Whether the next run should be on all workers.
@@ -16,8 +17,12 @@ class ParallelGain {
   void record(double wall);
 
  private:
+  void choose(bool all_workers);
+
   int run_ = 0;                      // since the trials began
+  int stretch_ = 0;                  // runs until the next trials
   double alone_ = 0, together_ = 0;  // shortest times of the trials [s]
+  bool is_chosen_ = false;           // to run on all workers
 };
 
 }  // namespace pliant::scheduler
