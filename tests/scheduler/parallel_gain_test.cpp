@@ -21,9 +21,9 @@ double share_on_all_workers(ParallelGain& gain, double alone, double together, i
 
 TEST(parallel_gain, a_short_graph_stays_on_the_calling_thread_unless_others_make_it_faster) {
   ParallelGain gain;
-  EXPECT_LT(share_on_all_workers(gain, 100e-6, 120e-6), 0.01);
+  EXPECT_LT(share_on_all_workers(gain, 100e-6, 120e-6), 0.02);
   gain = {};
-  EXPECT_LT(share_on_all_workers(gain, 100e-6, 90e-6), 0.01) << "not worth the other cores";
+  EXPECT_LT(share_on_all_workers(gain, 100e-6, 90e-6), 0.02) << "not worth the other cores";
   gain = {};
   EXPECT_GT(share_on_all_workers(gain, 400e-6, 250e-6), 0.99);
 }
