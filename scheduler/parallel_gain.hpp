@@ -6,8 +6,8 @@ namespace pliant::scheduler {
 /// handing nodes to them takes longer than they save, and keeps cores busy that others could use.
 ///
 /// A graph runs a few times on the calling thread alone, a few times on all workers, and then for a
-/// while in the better way, longer each time that the same way wins. One that takes long alone goes
-/// on all workers at once.
+/// while in the better way, longer each time that the same way wins, but not once it has become
+/// longer. One that takes long alone goes on all workers at once.
 class ParallelGain {
  public:
   /// Whether the next run should be on all workers.
@@ -20,7 +20,7 @@ class ParallelGain {
   void choose(bool all_workers);
 
   int run_ = 0;                      // since the trials began
-  int stretch_ = 0;                  // runs until the next trials
+  int stretch_ = 0;                  // runs after the trials until the next ones
   double alone_ = 0, together_ = 0;  // shortest times of the trials [s]
   bool is_chosen_ = false;           // to run on all workers
 };

@@ -137,7 +137,8 @@ void StepGraph::run_on(const Workers& workers) {
     return finish_record(start, workers.threads());
   }
   const bool is_large = tasks_.size() > large_graph;
-  is_large || gain_.is_expected() ? run_in_parallel(workers) : run_in_order(workers.index());
+  const bool on_all_workers = is_large || gain_.is_expected();
+  on_all_workers ? run_in_parallel(workers) : run_in_order(workers.index());
   finish_record(start, workers.threads());
   if (!is_large) gain_.record(record_.wall_seconds);
 }
