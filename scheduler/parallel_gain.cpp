@@ -11,7 +11,10 @@ constexpr int trials_alone = 4, all_trials = 12;  // [runs]
 constexpr int first_stretch = 500, longest_stretch = 100'000;
 constexpr double long_time = 1e-3;      // [s]
 constexpr double largest_share = 0.85;  // of the time alone that is worth the other cores
-constexpr double growth = 2;            // of the time alone that asks for new trials
+// Runs in a row that take that many times as long as in the trials ask for new ones. Single ones
+// are those of a processor that does something else.
+constexpr int enough_longer_runs = 4;
+constexpr double growth = 2;
 
 }  // namespace
 
@@ -22,14 +25,15 @@ bool ParallelGain::is_expected() const {
 void ParallelGain::record(double wall) {
   double& shortest = run_ < trials_alone ? alone_ : together_;
   const bool is_first = run_ == 0 || run_ == trials_alone;
-  const bool has_grown = run_ >= all_trials && !is_chosen_ && wall > growth * alone_;
   if (run_ < all_trials) shortest = is_first ? wall : std::min(shortest, wall);
+  const bool is_longer = run_ >= all_trials && !is_chosen_ && wall > growth * alone_;
+  longer_runs_ = is_longer ? longer_runs_ + 1 : 0;
   ++run_;
   if (run_ == 1 && alone_ > long_time) {
     choose(true);
   } else if (run_ == all_trials) {
     choose(together_ < largest_share * alone_);
-  } else if (run_ >= stretch_ + all_trials || has_grown) {
+  } else if (run_ >= stretch_ + all_trials || longer_runs_ == enough_longer_runs) {
     run_ = 0;
   }
 }

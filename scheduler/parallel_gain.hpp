@@ -21,6 +21,7 @@ class ParallelGain {
 
   int run_ = 0;                      // since the trials began
   int stretch_ = 0;                  // runs after the trials until the next ones
+  int longer_runs_ = 0;              // in a row, on the calling thread
   double alone_ = 0, together_ = 0;  // shortest times of the trials [s]
   bool is_chosen_ = false;           // to run on all workers
 };
