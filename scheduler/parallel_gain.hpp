@@ -5,9 +5,10 @@ namespace pliant::scheduler {
 /// Whether other workers make a graph faster. Where its nodes take microseconds, waking workers and
 /// handing nodes to them takes longer than they save, and keeps cores busy that others could use.
 ///
-/// A graph runs a few times on the calling thread alone, a few times on all workers, and then for a
-/// while in the better way, longer each time that the same way wins, but not once it has become
-/// longer. One that takes long alone goes on all workers at once.
+/// A graph is tried: it runs a few times on the calling thread alone, a few times on all workers,
+/// and then for a while in the better way. The while doubles each time that the same way wins. It
+/// ends early if runs on the calling thread become much longer. A graph that takes long at its
+/// first run goes on all workers without a trial of them.
 class ParallelGain {
  public:
   /// Whether the next run should be on all workers.

@@ -131,16 +131,13 @@ void StepGraph::run(Workers& workers) {
 
 // The nodes of one block wait for each other. Other workers would wake for nothing.
 void StepGraph::run_on(const Workers& workers) {
+  const bool has_several_blocks = blocks_.count() > 1;
+  const bool is_tried = has_several_blocks && tasks_.size() <= large_graph;
+  const bool on_all_workers = is_tried ? gain_.is_expected() : has_several_blocks;
   const auto start = Clock::now();
-  if (blocks_.count() <= 1) {
-    run_in_order(workers.index());
-    return finish_record(start, workers.threads());
-  }
-  const bool is_large = tasks_.size() > large_graph;
-  const bool on_all_workers = is_large || gain_.is_expected();
   on_all_workers ? run_in_parallel(workers) : run_in_order(workers.index());
   finish_record(start, workers.threads());
-  if (!is_large) gain_.record(record_.wall_seconds);
+  if (is_tried) gain_.record(record_.wall_seconds);
 }
 
 void StepGraph::run_in_parallel(const Workers& workers) {
