@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/boundaries/walls.hpp"
@@ -9,11 +10,13 @@ namespace pliant {
 /// The values of the boundary conditions at one time.
 template <int D>
 struct BoundaryValues {
-  std::vector<Point<D>> wall_velocity;  ///< [wall] [m/s]
-  std::vector<double> pressure;         ///< [load] [Pa]; 0 if it is not uniform, or a traction
+  std::vector<RigidMotion<D>> wall_motion;  ///< [wall], by `move_walls`
+  std::vector<double> pressure;             ///< [load] [Pa]; 0 if it is not uniform, or a traction
 
-  /// `boundaries` must outlive the values.
+  /// Evaluates the loads. `boundaries` must outlive the values.
   void evaluate(const Boundaries<D>& boundaries, double t);
+  /// Evaluates the motions of the walls, at the same time, from their poses `since` [wall] on.
+  void move_walls(std::span<const WallPose<D>> since);
   /// Pressure [Pa] and traction [Pa] of a load at x; one of them is 0.
   double pressure_at(int load, const Point<D>& x) const {
     return loads()[load].is_uniform() ? pressure[load] : loads()[load].pressure(x, time_);

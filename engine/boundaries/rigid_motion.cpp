@@ -45,6 +45,11 @@ Point<D> RigidMotion<D>::of(const Point<D>& x) const {
 }
 
 template <int D>
+Point<D> RigidMotion<D>::turned(const Point<D>& n) const {
+  return turns ? unpadded<D>(turn(padded<D>(n))) : n;
+}
+
+template <int D>
 Point<D> RigidStep<D>::shift_of(const Point<D>& x) const {
   if (!turns) return shift;
   const Vector r = from<D>(start, x), was = before(r), is = after(r);

@@ -24,17 +24,20 @@ class Turn {
 /// a x b
 Vector cross(const Vector& a, const Vector& b);
 
-/// The velocities of the points of a rigid solid at one time.
+/// The velocities of the points of a rigid solid at one time, by where they were at an earlier one.
 template <int D>
 struct RigidMotion {
   Point<D> velocity = {};  ///< of the solid's centre [m/s]
   bool turns = false;
   Vector spin = {};   ///< angular velocity [rad/s]; about z in 2D
-  Vector start = {};  ///< place of the centre at t = 0 [m]
-  Turn turn;          ///< rotation since t = 0
+  Vector start = {};  ///< place of the centre at the earlier time [m]
+  Turn turn;          ///< rotation since then
 
-  /// Velocity of the point that was at x at t = 0 [m/s].
+  /// Velocity of the point that was at x at the earlier time [m/s].
   Point<D> of(const Point<D>& x) const;
+  /// Present direction of the one that was `n` at the earlier time.
+  Point<D> turned(const Point<D>& n) const;
+  bool is_at_rest() const { return velocity == Point<D>{} && spin == Vector{}; }
 };
 
 /// The motion of a rigid solid in a step.

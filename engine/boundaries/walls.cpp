@@ -77,13 +77,14 @@ double Wall<D>::spread(const Point<D>& x, double depth) const {
 }
 
 template <int D>
-RigidMotion<D> Wall<D>::motion(double t) const {
+RigidMotion<D> Wall<D>::motion(double t, const WallPose<D>& since) const {
   RigidMotion<D> motion;
   motion.velocity = velocity(t);
   if (!rotation_) return motion;
   motion.turns = true;
   motion.start = rotation_->centre;
-  motion.turn = Turn(rotation_->axis, rotation_->angle(t));
+  for (int a = 0; a < D; ++a) motion.start[a] += since.offset[a];
+  motion.turn = Turn(rotation_->axis, rotation_->angle(t) - since.angle);
   const double rate = spin(t);
   for (int a = 0; a < 3; ++a) motion.spin[a] = rate * rotation_->axis[a];
   return motion;
@@ -130,11 +131,18 @@ RigidStep<D> Wall<D>::step(double t, double time_step) const {
   step.shift = shift(t, time_step);
   if (!rotation_) return step;
   step.turns = true;
-  step.start = step.centre = rotation_->centre;
-  for (int a = 0; a < D; ++a) step.centre[a] += pose_.offset[a];
+  step.start = rotation_->centre;
+  step.centre = centre();
   step.before = Turn(rotation_->axis, rotation_->angle(t));
   step.after = Turn(rotation_->axis, rotation_->angle(t + time_step));
   return step;
+}
+
+template <int D>
+Vector Wall<D>::centre() const {
+  Vector centre = rotation_->centre;
+  for (int a = 0; a < D; ++a) centre[a] += pose_.offset[a];
+  return centre;
 }
 
 template <int D>

@@ -43,13 +43,17 @@ class Wall {
 
   /// Velocity of its centre [m/s]: the one that was set, or else the prescribed one.
   Point<D> velocity(double t) const;
-  /// The velocities of its points.
-  RigidMotion<D> motion(double t) const;
+  /// The velocities of its points, by where they were when the wall had the pose `since`: at t = 0
+  /// by default.
+  RigidMotion<D> motion(double t, const WallPose<D>& since = {}) const;
   const std::optional<Point<D>>& set_velocity() const { return set_velocity_; }
   void set_velocity(const std::optional<Point<D>>& velocity) { set_velocity_ = velocity; }
   /// Its motion in a step from time t on. The displacement of its centre is the prescribed one, or
   /// the integral of the velocity by Simpson's rule.
   RigidStep<D> step(double t, double time_step) const;
+  bool turns() const { return rotation_.has_value(); }
+  /// Present place of the centre of a wall that turns [m].
+  Vector centre() const;
   /// Its present pose; `move` advances it by a step.
   const WallPose<D>& pose() const { return pose_; }
   void move(double t, double time_step);

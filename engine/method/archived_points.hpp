@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "engine/boundaries/walls.hpp"
+#include "engine/boundaries/wrench.hpp"
 #include "engine/output/archive/archive.hpp"
 
-/// Points and boundaries in an archive.
+/// Points, forces with moments, and boundaries in an archive.
 namespace pliant {
 
 /// Writes points as one list of components.
@@ -31,37 +32,84 @@ void get_points(const ArchiveReader& archive, const std::string& name,
   }
 }
 
-/// Writes the offsets and velocities of walls and the loads that replace those of the case. A load
+/// Writes forces and moments as one list of components each.
+template <int D>
+void put_wrenches(ArchiveWriter& archive, const std::string& name,
+                  const std::vector<Wrench<D>>& wrenches) {
+  std::vector<Point<D>> forces;
+  std::vector<Vector> moments;
+  for (const Wrench<D>& wrench : wrenches) {
+    forces.push_back(wrench.force);
+    moments.push_back(wrench.moment);
+  }
+  put_points<D>(archive, name, forces);
+  put_points<3>(archive, name + "_moment", moments);
+}
+
+/// Reads as many as `wrenches` holds.
+template <int D>
+void get_wrenches(const ArchiveReader& archive, const std::string& name,
+                  std::vector<Wrench<D>>& wrenches) {
+  std::vector<Point<D>> forces(wrenches.size());
+  std::vector<Vector> moments(wrenches.size());
+  get_points<D>(archive, name, forces);
+  get_points<3>(archive, name + "_moment", moments);
+  for (std::size_t w = 0; w < wrenches.size(); ++w) wrenches[w] = {forces[w], moments[w]};
+}
+
+/// Writes displacements and angles of walls.
+template <int D>
+void put_poses(ArchiveWriter& archive, const std::string& name,
+               const std::vector<WallPose<D>>& poses) {
+  std::vector<Point<D>> offsets;
+  std::vector<double> angles;
+  for (const WallPose<D>& pose : poses) {
+    offsets.push_back(pose.offset);
+    angles.push_back(pose.angle);
+  }
+  put_points<D>(archive, name + "_offset", offsets);
+  archive.put(name + "_angle", std::span<const double>(angles));
+}
+
+/// Reads as many as `poses` holds.
+template <int D>
+void get_poses(const ArchiveReader& archive, const std::string& name,
+               std::vector<WallPose<D>>& poses) {
+  std::vector<Point<D>> offsets(poses.size());
+  get_points<D>(archive, name + "_offset", offsets);
+  const auto angles = archive.get<double>(name + "_angle");
+  for (std::size_t w = 0; w < poses.size(); ++w) poses[w] = {offsets[w], angles.at(w)};
+}
+
+/// Writes the poses and velocities of walls and the loads that replace those of the case. A load
 /// that is not replaced is NaN.
 template <int D>
 void put_boundaries(ArchiveWriter& archive, const Boundaries<D>& boundaries) {
   Point<D> none;
   none.fill(std::numeric_limits<double>::quiet_NaN());
-  std::vector<Point<D>> offsets, velocities;
-  std::vector<double> angles;
+  std::vector<WallPose<D>> poses;
+  std::vector<Point<D>> velocities;
   for (const Wall<D>& wall : boundaries.walls) {
-    offsets.push_back(wall.pose().offset);
-    angles.push_back(wall.pose().angle);
+    poses.push_back(wall.pose());
     velocities.push_back(wall.set_velocity().value_or(none));
   }
   std::vector<double> pressures;
   for (const SurfacePressure<D>& pressure : boundaries.pressures) {
     pressures.push_back(pressure.set_value().value_or(none[0]));
   }
-  put_points<D>(archive, "walls/offset", offsets);
-  archive.put("walls/angle", std::span<const double>(angles));
+  put_poses<D>(archive, "walls/present", poses);
   put_points<D>(archive, "walls/set_velocity", velocities);
   archive.put("pressures/set_value", std::span<const double>(pressures));
 }
 
 template <int D>
 void get_boundaries(const ArchiveReader& archive, Boundaries<D>& boundaries) {
-  std::vector<Point<D>> offsets(boundaries.walls.size()), velocities(offsets);
-  get_points<D>(archive, "walls/offset", offsets);
+  std::vector<WallPose<D>> poses(boundaries.walls.size());
+  std::vector<Point<D>> velocities(poses.size());
+  get_poses<D>(archive, "walls/present", poses);
   get_points<D>(archive, "walls/set_velocity", velocities);
-  const auto angles = archive.get<double>("walls/angle");
-  for (std::size_t w = 0; w < offsets.size(); ++w) {
-    boundaries.walls[w].restore({offsets[w], angles.at(w)});
+  for (std::size_t w = 0; w < poses.size(); ++w) {
+    boundaries.walls[w].restore(poses[w]);
     const bool was_set = !std::isnan(velocities[w][0]);
     boundaries.walls[w].set_velocity(was_set ? std::optional(velocities[w]) : std::nullopt);
   }

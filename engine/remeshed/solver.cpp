@@ -7,10 +7,10 @@
 #include <iterator>
 
 #include "engine/case/checks/stability.hpp"
-#include "engine/method/archived_points.hpp"
 #include "engine/method/step_length.hpp"
 #include "engine/remeshed/observe/field_views.hpp"
 #include "engine/remeshed/observe/frame.hpp"
+#include "engine/remeshed/remeshing/moving_lattice.hpp"
 #include "engine/remeshed/remeshing/remeshing_due.hpp"
 #include "engine/remeshed/setup/setup.hpp"
 #include "engine/remeshed/state/check_state.hpp"
@@ -83,7 +83,7 @@ template <class T, int D>
 void Solver<T, D>::take_step(double dt) {
   move(dt);
   add_particle_stages(4 * particles());
-  if (remeshing_is_due<T, D>(settings(), state_, remeshings_.wall_offset())) remesh();
+  if (remeshing_is_due<T, D>(settings(), state_)) remesh();
 }
 
 template <class T, int D>
@@ -123,7 +123,7 @@ void Solver<T, D>::remesh() {
   Clock& clock = state_.clock;
   const bool reinitialise =
       clock.steps_since_reinitialisation >= settings().level_set.reinitialise_every;
-  remeshings_.move_lattices(state_);
+  move_lattices<T, D>(state_);
   remesh_onto_spare(reinitialise, true);
   if (reinitialise) clock.steps_since_reinitialisation = 0;
   ++clock.remeshings;
@@ -132,6 +132,7 @@ void Solver<T, D>::remesh() {
   clock.deformation = 0;
   for (Body<T, D>& body : state_.bodies) body.neighbours.strain = 0;
   remeshings_.commit();
+  std::ranges::transform(state_.boundaries.walls, state_.remeshed_poses.begin(), &Wall<D>::pose);
   measurer_.reset();
   use_new_slots();
 }
@@ -268,14 +269,12 @@ std::vector<std::array<double, 3>> Solver<T, D>::positions(int body) const {
 template <class T, int D>
 void Solver<T, D>::save_state(ArchiveWriter& archive) const {
   put_state(archive, state_);
-  put_points<D>(archive, "walls/remeshed_offset", remeshings_.wall_offset());
 }
 
 template <class T, int D>
 void Solver<T, D>::restore_state(const ArchiveReader& archive) {
   measurer_.reset();
   get_state(archive, state_, remeshings_);
-  get_points<D>(archive, "walls/remeshed_offset", remeshings_.wall_offset());
   number_slots();
 }
 

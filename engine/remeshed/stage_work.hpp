@@ -6,9 +6,8 @@
 #include "engine/method/energy_budget.hpp"
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/ghosts/ghost_motion.hpp"
-#include "engine/remeshed/loads/lone_walls.hpp"
 #include "engine/remeshed/loads/surroundings.hpp"
-#include "engine/remeshed/loads/wall_work.hpp"
+#include "engine/remeshed/loads/wall_impulses.hpp"
 #include "engine/remeshed/particle_update.hpp"
 #include "engine/remeshed/state/stage_results.hpp"
 #include "engine/remeshed/state/state.hpp"
@@ -25,8 +24,7 @@ class StageWork {
         settings_(settings),
         kernels_(kernels),
         particles_(state, settings, kernels),
-        is_measured_(measured_walls(settings)),
-        lone_walls_(state, settings, is_measured_) {}
+        walls_(state, settings) {}
 
   void prepare_blocks() { results_.reset(state_.blocks, state_.bodies.size()); }
   /// Sets the time step [s] and what the boundaries impose at each stage.
@@ -54,7 +52,7 @@ class StageWork {
     return particles_.body_force_impulse();
   }
   /// [block][wall] impulse of walls on the bodies in the step [N s].
-  const std::vector<Point<D>>& wall_impulse() const { return impulse_; }
+  const std::vector<Point<D>>& wall_impulse() const { return walls_.of_blocks(); }
   /// [block] whether it stuck to a contact wall at any time in the step.
   const std::vector<char>& sticks() const { return sticks_; }
   /// [block][stage] body forces in the step.
@@ -62,7 +60,7 @@ class StageWork {
     return particles_.body_forces();
   }
   /// Whether forces of walls depend on the masses of the bodies that they hold, (RP.105).
-  bool weighs_held_bodies() const { return lone_walls_.exist(); }
+  bool weighs_held_bodies() const { return walls_.weigh_held_bodies(); }
   const StageResults& results() const { return results_; }
   Surroundings<D> around(int stage) const {
     return {state_.boundaries, boundary_values_[stage], particles_.body_force(stage)};
@@ -70,26 +68,17 @@ class StageWork {
 
  private:
   void fill(int block, int stage, WhichGhosts which, WallWork<T, D>* work);
-  void add_lone_walls();
-  void share_rest(int axis, double impulse);
-  void add_impulse_along(int axis, int wall, double impulse);
-  static std::vector<char> measured_walls(const Case& settings);
 
   State<T, D>& state_;
   const Case& settings_;
   const kernels::RemeshedTable<T, D>& kernels_;
   ParticleUpdate<T, D> particles_;
-  std::vector<char> is_measured_;  ///< [wall] whether a measurement needs its force
-  LoneWalls<T, D> lone_walls_;
+  WallImpulses<T, D> walls_;
   double time_step_ = 0;
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
   StageResults results_;
-  std::vector<Point<D>> impulse_;   ///< [block][wall] on the bodies in this step
   std::vector<EnergyBudget> work_;  ///< [block] work of walls and loads in this step
   std::vector<char> sticks_;        ///< [block] whether it stuck to contact walls in this step
-  std::vector<std::vector<WallShare>> wall_shares_;  ///< [block] in this step
-  std::vector<char> is_watched_;  ///< [wall] whether its ghosts are summed in this step
-  bool needs_momentum_ = false;   ///< whether momentum gives forces of walls in this step
 };
 
 extern template class StageWork<double, 2>;

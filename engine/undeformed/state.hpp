@@ -6,9 +6,9 @@
 
 #include "engine/blocks/numbering.hpp"
 #include "engine/boundaries/walls.hpp"
+#include "engine/boundaries/wrench.hpp"
 #include "engine/method/energy_budget.hpp"
 #include "engine/undeformed/clock.hpp"
-#include "engine/undeformed/wrench.hpp"
 
 namespace pliant::undeformed {
 

@@ -10,29 +10,6 @@ namespace pliant::undeformed {
 
 namespace {
 
-template <int D>
-void put_wrenches(ArchiveWriter& archive, const std::string& name,
-                  const std::vector<Wrench<D>>& wrenches) {
-  std::vector<Point<D>> forces;
-  std::vector<Vector> moments;
-  for (const Wrench<D>& wrench : wrenches) {
-    forces.push_back(wrench.force);
-    moments.push_back(wrench.moment);
-  }
-  put_points<D>(archive, name, forces);
-  put_points<3>(archive, name + "_moment", moments);
-}
-
-template <int D>
-void get_wrenches(const ArchiveReader& archive, const std::string& name,
-                  std::vector<Wrench<D>>& wrenches) {
-  std::vector<Point<D>> forces(wrenches.size());
-  std::vector<Vector> moments(wrenches.size());
-  get_points<D>(archive, name, forces);
-  get_points<3>(archive, name + "_moment", moments);
-  for (std::size_t w = 0; w < wrenches.size(); ++w) wrenches[w] = {forces[w], moments[w]};
-}
-
 template <class NearWalls, class Act>
 void for_each_near_list(NearWalls& walls, const Act& act) {
   for (std::size_t w = 0; w < walls.size(); ++w) {

@@ -171,7 +171,7 @@ material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, densi
      "block.toml:12: method \"sph\" does not measure \"surface_area\"; measure one of "
      "point_displacement, material_value, mean_value, mass, centre_of_mass, momentum, "
      "angular_momentum, kinetic_energy, strain_energy, total_energy, energy_ratio, wall_force, "
-     "contact_force, volume, minimum_particle_distance, "
+     "wall_moment, contact_force, volume, minimum_particle_distance, "
      "velocity_error, or choose another method\n"
      "block.toml:14: surfaces need a level set, which method \"sph\" does not have; write surface "
      "= "

@@ -61,12 +61,12 @@ TEST(contact, the_impulse_of_the_wall_is_the_change_of_momentum) {
     advance_until(solver, 0.05);
     EXPECT_GT(touching(solver), 10);
     const double pressed = momentum(solver);
-    EXPECT_NEAR(solver.state().wall_impulse[0][1] / (pressed - start), 1, 0.03) << friction;
+    EXPECT_NEAR(solver.state().wall_impulse[0].force[1] / (pressed - start), 1, 0.03) << friction;
     advance_until(solver, 0.3);
     EXPECT_EQ(touching(solver), 0) << "it has left the wall";
     EXPECT_GT(momentum(solver), -0.7 * start);
     EXPECT_LT(momentum(solver), -start) << "a wall at rest gives no energy";
-    EXPECT_NEAR(solver.state().wall_impulse[0][1] / (momentum(solver) - start), 1, 0.03)
+    EXPECT_NEAR(solver.state().wall_impulse[0].force[1] / (momentum(solver) - start), 1, 0.03)
         << friction;
   }
 }
@@ -83,9 +83,10 @@ TEST(contact, the_map_of_the_pressure_adds_up_to_the_force) {
     ASSERT_NE(field, frame.fields.end());
     const auto& pressure = std::get<std::vector<double>>(field->values);
     const double sum = std::accumulate(pressure.begin(), pressure.end(), 0.);
-    const double before = solver.state().wall_impulse[0][1], t = solver.clock().time;
+    const double before = solver.state().wall_impulse[0].force[1], t = solver.clock().time;
     solver.step(1e-4);
-    const double force = (solver.state().wall_impulse[0][1] - before) / (solver.clock().time - t);
+    const double force =
+        (solver.state().wall_impulse[0].force[1] - before) / (solver.clock().time - t);
     EXPECT_NEAR(sum * solver.state().bodies[0].lattice.spacing / force, 1, 0.05) << friction;
   }
 }
@@ -98,7 +99,7 @@ TEST(contact, the_wall_never_pulls) {
     double before = 0;
     while (solver.clock().time < 0.25) {
       solver.step(1e-2);
-      const double impulse = solver.state().wall_impulse[0][1];
+      const double impulse = solver.state().wall_impulse[0].force[1];
       EXPECT_GE(impulse, before) << friction << ", t = " << solver.clock().time;
       before = impulse;
     }
@@ -178,7 +179,7 @@ TEST(contact, an_oblique_impact_takes_the_momentum_that_sliding_friction_reports
   const double start = along();
   advance_until(solver, 0.3);
   EXPECT_EQ(touching(solver), 0) << "it has left the wall";
-  const auto& impulse = solver.state().wall_impulse[0];
+  const auto& impulse = solver.state().wall_impulse[0].force;
   EXPECT_LT(along(), 0.98 * start);
   EXPECT_NEAR(along() - start, cosine * impulse[0] - sine * impulse[1], 1e-12 * start);
 }
@@ -199,7 +200,7 @@ TEST(contact, a_block_that_slides_on_a_floor_is_slowed_by_its_friction) {
       const double start = total(solver, 0);
       advance_until(solver, 0.2);
       const double speed = total(solver, 0) / start;
-      const auto& impulse = solver.state().wall_impulse[0];
+      const auto& impulse = solver.state().wall_impulse[0].force;
       EXPECT_NEAR(speed - 1, impulse[0] / start, 0.005) << spacing << ", " << friction;
       EXPECT_NEAR(speed, 1 - 2 * friction, 0.03) << spacing << ", " << friction;
       EXPECT_NEAR(solver.state().energy.friction / (start / 2), 1 - speed * speed, 0.1)
@@ -222,7 +223,7 @@ TEST(contact, a_block_slides_down_an_incline_as_friction_lets_it) {
     const double mass = 0.24, weight = mass * cosine;
     const double expected = std::max(0., sine - friction * cosine) * 0.6;
     EXPECT_NEAR(total(solver, 0) / mass, expected, 0.02) << friction;
-    const auto& impulse = solver.state().wall_impulse[0];
+    const auto& impulse = solver.state().wall_impulse[0].force;
     EXPECT_NEAR(impulse[1], 0.6 * weight, 0.05 * weight) << friction;
     EXPECT_LE(-impulse[0], (friction + 1e-12) * impulse[1]) << "within the cone of friction";
   }
@@ -246,7 +247,7 @@ TEST(contact, a_round_wall_that_moves_gives_the_momentum_that_it_counts) {
     const double gained = total(solver, 1) - start;
     EXPECT_GT(gained, 1.7 * mass);
     EXPECT_LT(gained, 2 * mass) << "a rigid wall gives no energy";
-    EXPECT_NEAR(solver.state().wall_impulse[0][1] / gained, 1, 0.06);
+    EXPECT_NEAR(solver.state().wall_impulse[0].force[1] / gained, 1, 0.06);
   }
 }
 
@@ -262,7 +263,7 @@ TEST(contact, no_particle_lies_beyond_the_wall) {
 TEST(contact, a_disc_that_flies_away_feels_no_wall) {
   Solver solver(bouncing_disc({"body.ball.velocity=[0, 1]"}), {2, kernels::widest_supported()});
   advance_until(solver, 0.05);
-  EXPECT_EQ(solver.state().wall_impulse[0][1], 0);
+  EXPECT_EQ(solver.state().wall_impulse[0].force[1], 0);
   EXPECT_EQ(touching(solver), 0);
 }
 

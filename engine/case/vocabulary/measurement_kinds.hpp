@@ -135,7 +135,7 @@ inline constexpr auto measurement_kinds = [] {
        {{{Key::boundary, "", true},
          {Key::point, "point about which it is taken"},
          {Key::rotation_axis, "component in 3D; in 2D it is about z"}}},
-       "moment of the force of a wall on all bodies, averaged since the last sample (TL.31)",
+       "moment of the force of a wall on all bodies, averaged since the last sample (RP.115)",
        ""},
       {Kind::contact_force,
        "contact_force",

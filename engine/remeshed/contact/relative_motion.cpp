@@ -88,12 +88,12 @@ void add_displacements(const Body<T, D>& body, const Range<D>& around, double ma
 
 template <class T, int D>
 bool has_moved_at_walls(const Body<T, D>& body, const Boundaries<D>& boundaries,
-                        const std::vector<Point<D>>& wall_offset) {
+                        const std::vector<WallPose<D>>& remeshed) {
   const double h = body.lattice.spacing, square = small_move * small_move * h * h;
   for (std::size_t w = 0; w < boundaries.walls.size(); ++w) {
     const Wall<D>& wall = boundaries.walls[w];
     if (wall.is_attached()) continue;
-    const Point<D> moved = difference<D>(wall.pose().offset, wall_offset[w]);
+    const Point<D> moved = difference<D>(wall.pose().offset, remeshed[w].offset);
     if (dot<D>(moved, moved) > square) return true;
     for (const std::int32_t slot : body.population.slot_of_record) {
       const Cell<D> cell = body.population.layout.cell(slot);
@@ -124,13 +124,13 @@ bool surface_has_crossed_rows(const Body<T, D>& body) {
 }
 
 template bool has_moved_at_walls<double, 2>(const Body<double, 2>&, const Boundaries<2>&,
-                                            const std::vector<Point<2>>&);
+                                            const std::vector<WallPose<2>>&);
 template bool has_moved_at_walls<double, 3>(const Body<double, 3>&, const Boundaries<3>&,
-                                            const std::vector<Point<3>>&);
+                                            const std::vector<WallPose<3>>&);
 template bool has_moved_at_walls<float, 2>(const Body<float, 2>&, const Boundaries<2>&,
-                                           const std::vector<Point<2>>&);
+                                           const std::vector<WallPose<2>>&);
 template bool has_moved_at_walls<float, 3>(const Body<float, 3>&, const Boundaries<3>&,
-                                           const std::vector<Point<3>>&);
+                                           const std::vector<WallPose<3>>&);
 template bool have_moved_apart(const Body<double, 2>&, const Body<double, 2>&);
 template bool have_moved_apart(const Body<double, 3>&, const Body<double, 3>&);
 template bool have_moved_apart(const Body<float, 2>&, const Body<float, 2>&);

@@ -8,10 +8,10 @@
 namespace pliant::remeshed {
 
 /// Whether, since the last remeshing, a contact wall has moved, or the body towards contact walls
-/// or away from them. `wall_offset` holds the displacements of the walls at that remeshing.
+/// or away from them. `remeshed` holds the poses of the walls at that remeshing.
 template <class T, int D>
 bool has_moved_at_walls(const Body<T, D>& body, const Boundaries<D>& boundaries,
-                        const std::vector<Point<D>>& wall_offset);
+                        const std::vector<WallPose<D>>& remeshed);
 
 /// Whether particles of two bodies near each other have moved by different displacements since the
 /// last remeshing.

@@ -73,8 +73,8 @@ void release_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
 
 template <class T, int D>
 bool add_impulse(const Body<T, D>& body, int block, int stage, const Surroundings<D>& around,
-                 double duration, const kernels::RemeshedTable<T, D>& table, Point<D>* impulse,
-                 EnergyBudget& energy) {
+                 double duration, const kernels::RemeshedTable<T, D>& table,
+                 std::span<WallPush<D>> pushes, Point<D>* impulse, EnergyBudget& energy) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FitEvaluator<T, D> fits(body, ghosts, table);
   const kernels::Impedance<T> impedance(body.material);
@@ -91,15 +91,20 @@ bool add_impulse(const Body<T, D>& body, int block, int stage, const Surrounding
     sticks = sticks || !traction.slides;
     const double area =
         ghosts.contact_area[k] * growth_on_wall(body, ghosts, static_cast<std::size_t>(g), stage);
-    const Point<D>& u_wall = around.values.wall_velocity[wall];
+    const Point<D>& u_wall = around.values.wall_motion[wall].velocity;
+    Point<D> given;
     for (int a = 0; a < D; ++a) {
       const T push = traction.pressure * static_cast<T>(ghosts.normal[g][a]) + traction.shear[a];
-      const double given = duration * area * push;
-      impulse[wall][a] += given;
-      energy.wall_work += given * u_wall[a];
+      given[a] = duration * area * push;
+      impulse[wall][a] += given[a];
+      energy.wall_work += given[a] * u_wall[a];
       if (!traction.slides) continue;
       const double slip = present.surface.velocity(a) - u_wall[a];
       energy.friction -= duration * area * traction.shear[a] * slip;
+    }
+    if (!pushes.empty()) {
+      pushes[wall].add(present_foot(body, ghosts, static_cast<std::size_t>(g), stage), given,
+                       duration * area);
     }
   }
   return sticks;
@@ -129,8 +134,8 @@ template void decide_contact<double, 2>(Body<double, 2>&, int, const Surrounding
 template void release_contact<double, 2>(Body<double, 2>&, int, const Surroundings<2>&,
                                          const kernels::RemeshedTable<double, 2>&);
 template bool add_impulse<double, 2>(const Body<double, 2>&, int, int, const Surroundings<2>&,
-                                     double, const kernels::RemeshedTable<double, 2>&, Point<2>*,
-                                     EnergyBudget&);
+                                     double, const kernels::RemeshedTable<double, 2>&,
+                                     std::span<WallPush<2>>, Point<2>*, EnergyBudget&);
 template std::vector<double> wall_pressure(const Body<double, 2>&, const Surroundings<2>&,
                                            const kernels::RemeshedTable<double, 2>&);
 template void decide_contact<double, 3>(Body<double, 3>&, int, const Surroundings<3>&,
@@ -138,8 +143,8 @@ template void decide_contact<double, 3>(Body<double, 3>&, int, const Surrounding
 template void release_contact<double, 3>(Body<double, 3>&, int, const Surroundings<3>&,
                                          const kernels::RemeshedTable<double, 3>&);
 template bool add_impulse<double, 3>(const Body<double, 3>&, int, int, const Surroundings<3>&,
-                                     double, const kernels::RemeshedTable<double, 3>&, Point<3>*,
-                                     EnergyBudget&);
+                                     double, const kernels::RemeshedTable<double, 3>&,
+                                     std::span<WallPush<3>>, Point<3>*, EnergyBudget&);
 template std::vector<double> wall_pressure(const Body<double, 3>&, const Surroundings<3>&,
                                            const kernels::RemeshedTable<double, 3>&);
 template void decide_contact<float, 2>(Body<float, 2>&, int, const Surroundings<2>&,
@@ -147,8 +152,8 @@ template void decide_contact<float, 2>(Body<float, 2>&, int, const Surroundings<
 template void release_contact<float, 2>(Body<float, 2>&, int, const Surroundings<2>&,
                                         const kernels::RemeshedTable<float, 2>&);
 template bool add_impulse<float, 2>(const Body<float, 2>&, int, int, const Surroundings<2>&, double,
-                                    const kernels::RemeshedTable<float, 2>&, Point<2>*,
-                                    EnergyBudget&);
+                                    const kernels::RemeshedTable<float, 2>&, std::span<WallPush<2>>,
+                                    Point<2>*, EnergyBudget&);
 template std::vector<double> wall_pressure(const Body<float, 2>&, const Surroundings<2>&,
                                            const kernels::RemeshedTable<float, 2>&);
 template void decide_contact<float, 3>(Body<float, 3>&, int, const Surroundings<3>&,
@@ -156,8 +161,8 @@ template void decide_contact<float, 3>(Body<float, 3>&, int, const Surroundings<
 template void release_contact<float, 3>(Body<float, 3>&, int, const Surroundings<3>&,
                                         const kernels::RemeshedTable<float, 3>&);
 template bool add_impulse<float, 3>(const Body<float, 3>&, int, int, const Surroundings<3>&, double,
-                                    const kernels::RemeshedTable<float, 3>&, Point<3>*,
-                                    EnergyBudget&);
+                                    const kernels::RemeshedTable<float, 3>&, std::span<WallPush<3>>,
+                                    Point<3>*, EnergyBudget&);
 template std::vector<double> wall_pressure(const Body<float, 3>&, const Surroundings<3>&,
                                            const kernels::RemeshedTable<float, 3>&);
 

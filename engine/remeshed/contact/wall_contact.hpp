@@ -1,6 +1,9 @@
 #pragma once
 
+#include <span>
+
 #include "engine/remeshed/loads/surroundings.hpp"
+#include "engine/remeshed/loads/wall_push.hpp"
 #include "engine/remeshed/state/state.hpp"
 
 // A body touches a contact wall, presses against it and leaves it; nothing bonds them.
@@ -39,13 +42,14 @@ void release_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
                      const kernels::RemeshedTable<T, D>& kernels);
 
 /// (RP.65): adds the push of each contact wall on the ghosts of a block during `duration` [s] to
-/// impulse[wall], and its work and the loss by friction, (RP.99), to `energy`. Reads the records of
+/// impulse[wall] and, where there are any, to pushes[wall], and its work and the loss by friction,
+/// (RP.99), to `energy`. Reads the records of
 /// the surface particles and the places of the slots at a stage. Returns whether the body sticks to
 /// a wall somewhere, (RP.73).
 template <class T, int D>
 bool add_impulse(const Body<T, D>& body, int block, int stage, const Surroundings<D>& around,
-                 double duration, const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse,
-                 EnergyBudget& energy);
+                 double duration, const kernels::RemeshedTable<T, D>& kernels,
+                 std::span<WallPush<D>> pushes, Point<D>* impulse, EnergyBudget& energy);
 
 /// (RP.55): [slot] pressure of the wall on the body at the feet of the contact ghosts nearest to
 /// the wall [Pa], from the records that were used to fill the ghosts; 0 for all other slots.

@@ -147,13 +147,7 @@ struct GhostFill {
   }
 
  private:
-  /// The present place of a ghost's foot point [m].
-  Point<D> foot(std::size_t g) const {
-    Point<D> x = ghosts.foot[g];
-    const FieldStore<T, D>& places = body.stage[drift_buffer_of(stage)];
-    for (int a = 0; a < D; ++a) x[a] += places.get(Field::drift, a)[ghosts.slot[g]];
-    return x;
-  }
+  Point<D> foot(std::size_t g) const { return present_foot(body, ghosts, g, stage); }
 
   /// Adds the velocity of outgoing shear waves without its lasting part, (RP.95).
   void let_shear_waves_out_alone(std::size_t g, const kernels::GhostFits<T, D>& fits,

@@ -5,6 +5,7 @@
 
 #include "engine/remeshed/ghosts/lasting_correction.hpp"
 #include "engine/remeshed/ghosts/rigid_velocity.hpp"
+#include "engine/remeshed/ghosts/wall_site.hpp"
 #include "kernels/remeshed/ghosts/ghost_state.hpp"
 
 namespace pliant::remeshed {
@@ -26,7 +27,7 @@ void find_drift_velocity(Body<T, D>& body, int block, int stage, const BoundaryV
       const auto fits = ghosts.fits(g, sums.data() + width * (g - begin));
       std::array<T, D> u;
       if (ghosts.wall[g] >= 0) {
-        const Point<D>& wall = values.wall_velocity[ghosts.wall[g]];
+        const Point<D> wall = velocity_beyond(body, ghosts, g, values.wall_motion[ghosts.wall[g]]);
         std::copy(wall.begin(), wall.end(), u.begin());
         u = kernels::wall_ghost_velocity<T, D>(fits, u);
       } else if (treatment == GhostTreatment::rigid) {

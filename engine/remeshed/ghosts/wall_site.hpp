@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/loads/surroundings.hpp"
+#include "engine/remeshed/runge_kutta.hpp"
 #include "engine/remeshed/state/body.hpp"
 
 namespace pliant::remeshed {
@@ -16,18 +18,57 @@ double depth_behind_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts
   return depth;
 }
 
+/// The present place of a ghost's foot point [m].
+template <class T, int D>
+Point<D> present_foot(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
+                      int stage) {
+  Point<D> x = ghosts.foot[g];
+  const FieldStore<T, D>& places = body.stage[drift_buffer_of(stage)];
+  for (int a = 0; a < D; ++a) x[a] += places.get(Field::drift, a)[ghosts.slot[g]];
+  return x;
+}
+
+/// x_w of (RP.114): the point of a wall that turns with whose velocity (RP.46) gives a body that
+/// turns with it the velocity of the wall's solid at ghost g.
+template <class T, int D>
+Point<D> point_of_extrapolation(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
+                                std::size_t g) {
+  Point<D> mean = {};  // sum b r, over h
+  for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
+    const FittedParticle<T, D> particle(ghosts, g, k);
+    const T phi = ghosts.wall_distance[ghosts.wall_begin[g] + (k - ghosts.begin[g])];
+    const T b = kernels::fit_coefficients(particle.terms, particle.r, phi).constrained;
+    for (int a = 0; a < D; ++a) mean[a] += b * particle.r[a];
+  }
+  const Point<D> node = body.lattice.node(body.population.layout.cell(ghosts.slot[g]));
+  Point<D> x = ghosts.foot[g];
+  for (int a = 0; a < D; ++a) {
+    x[a] += (node[a] - x[a] - body.lattice.spacing * mean[a]) / (1 - ghosts.constrained_sum[g]);
+  }
+  return x;
+}
+
+/// u_w of (RP.46) for ghost g, (RP.114).
+template <class T, int D>
+Point<D> velocity_beyond(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
+                         const RigidMotion<D>& wall) {
+  return wall.turns ? wall.of(point_of_extrapolation(body, ghosts, g)) : wall.velocity;
+}
+
 /// The wall at ghost g. Behind walls with slip, sigma_nn rises with the depth by body forces alone,
 /// (RP.79).
 template <class T, int D>
 kernels::WallSite<T, D> wall_site(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                   std::size_t g, const Surroundings<D>& around) {
   const int w = ghosts.wall[g];
-  const Point<D>& velocity = around.values.wall_velocity[w];
-  const Point<D>& n = ghosts.normal[g];
+  const RigidMotion<D>& motion = around.values.wall_motion[w];
+  const Point<D> velocity = motion.of(ghosts.foot[g]), n = motion.turned(ghosts.normal[g]);
+  const Point<D> beyond = velocity_beyond(body, ghosts, g, motion);
   kernels::WallSite<T, D> site;
   site.friction = static_cast<T>(around.boundaries.walls[w].friction());
   for (int a = 0; a < D; ++a) {
     site.velocity[a] = static_cast<T>(velocity[a]);
+    site.beyond[a] = static_cast<T>(beyond[a]);
     site.n[a] = static_cast<T>(n[a]);
   }
   if (!around.body_force.acts || !std::isfinite(site.friction)) return site;

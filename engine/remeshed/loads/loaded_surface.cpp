@@ -56,7 +56,7 @@ FacetForce<D> force_of(const LoadedFacet<D>& facet, const PlaceVector<D>& area, 
                        const BoundaryValues<D>& values) {
   const std::array<std::int8_t, D>& load = facet.load;
   const PlaceVector<D> along = along_faces<D>(area, facet.normal);
-  FacetForce<D> force{PlaceVector<D>::Zero(), PlaceVector<D>::Zero()};
+  FacetForce<D> force{PlaceVector<D>::Zero(), PlaceVector<D>::Zero(), column<D>(x)};
   for (int i = 0; i < D; ++i) {
     if (load[i] < 0 || std::find(load.begin(), load.begin() + i, load[i]) != load.begin() + i) {
       continue;
@@ -159,7 +159,7 @@ LoadsOnBlock<D> loads_on_block(const Body<T, D>& body, int block, int stage,
       velocity += between<T, D>(state, Field::velocity, corner) / D;
     }
     const FacetForce<D> force = force_at_stage(body, facet, stage, values);
-    for (int a = 0; a < D; ++a) loads.force[a] += force.whole[a];
+    loads.force.add(as_point<D>(force.place), as_point<D>(force.whole));
     loads.power += force.whole.dot(velocity);
   }
   return loads;

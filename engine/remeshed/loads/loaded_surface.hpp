@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/boundaries/boundary_values.hpp"
+#include "engine/boundaries/wrench.hpp"
 #include "engine/lattice/surface_pieces.hpp"
 #include "engine/remeshed/state/lattice_view.hpp"
 
@@ -26,6 +27,7 @@ inline PlaceVector<3> area_of(const std::array<PlaceVector<3>, 3>& x) {
 template <int D>
 struct FacetForce {
   PlaceVector<D> whole, shear;  ///< [N, in 2D N/m]
+  PlaceVector<D> place;         ///< of its middle [m]
 };
 template <class T, int D>
 FacetForce<D> force_at_stage(const Body<T, D>& body, const LoadedFacet<D>& facet, int stage,
@@ -34,8 +36,8 @@ FacetForce<D> force_at_stage(const Body<T, D>& body, const LoadedFacet<D>& facet
 /// The loads on the facets of a block at a stage, (RP.72).
 template <int D>
 struct LoadsOnBlock {
-  Point<D> force = {};  ///< [N, in 2D N/m]
-  double power = 0;     ///< [W, in 2D W/m]
+  Wrench<D> force;   ///< [N, N m, in 2D per m]
+  double power = 0;  ///< [W, in 2D W/m]
 };
 template <class T, int D>
 LoadsOnBlock<D> loads_on_block(const Body<T, D>& body, int block, int stage,

@@ -19,11 +19,31 @@ bool can_act_along(const BoundaryCase& wall, int axis) {
   return true;
 }
 
+/// Sum m x cross u over the particles of a block [N m s], with velocities and places of two copies
+/// of the body's state.
+template <class T, int D>
+Vector angular_momentum(const Body<T, D>& body, int block, const FieldStore<T, D>& state,
+                        const FieldStore<T, D>& places) {
+  const T* mass = body.stage[0].get(Field::mass);
+  const Layout<D>& layout = body.population.layout;
+  Wrench<D> sum;
+  layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
+    if (body.population.kind[p] != Kind::interior) return;
+    Point<D> x = body.lattice.node(cell), momentum;
+    for (int a = 0; a < D; ++a) {
+      x[a] += places.get(Field::drift, a)[p];
+      momentum[a] = double{mass[p]} * state.get(Field::velocity, a)[p];
+    }
+    sum.add(x, momentum);
+  });
+  return sum.moment;
+}
+
 }  // namespace
 
 template <class T, int D>
 LoneWalls<T, D>::LoneWalls(State<T, D>& state, const Case& settings,
-                           const std::vector<char>& measured)
+                           const std::vector<char>& measured, const std::vector<char>& has_moment)
     : state_(state), acts_(state.boundaries.walls.size()), has_edges_(acts_.size(), 0) {
   along_.fill(-1);
   for (std::size_t b = 0; b < settings.boundaries.size(); ++b) {
@@ -47,6 +67,7 @@ LoneWalls<T, D>::LoneWalls(State<T, D>& state, const Case& settings,
       together_[a] = std::move(acting);
     }
   }
+  have_moments_ = along_[0] >= 0 && have_moment_of(along_[0]) && has_moment[along_[0]] != 0;
 }
 
 template <class T, int D>
@@ -64,14 +85,15 @@ void LoneWalls<T, D>::prepare(double time_step) {
 }
 
 template <class T, int D>
-void LoneWalls<T, D>::begin(int block, int stage, const Point<D>& force_of_loads) {
+void LoneWalls<T, D>::begin(int block, int stage, const Wrench<D>& force_of_loads) {
   Change& change = change_[block];
-  for (int a = 0; a < D; ++a) {
-    change.by_loads[a] += stage_weight[stage] * time_step_ * force_of_loads[a];
-  }
+  change.by_loads.add(force_of_loads, stage_weight[stage] * time_step_);
   if (stage > 0) return;
   const auto [body, local] = state_.owner(block);
   change.before = particle_momentum<T, D>(body, local, body.stage[0]);
+  if (have_moments_) {
+    change.turning_before = angular_momentum<T, D>(body, local, body.stage[0], body.stage[0]);
+  }
   change.is_held =
       std::ranges::any_of(body.population.ghosts[local].wall, [](int wall) { return wall >= 0; });
 }
@@ -80,7 +102,12 @@ template <class T, int D>
 void LoneWalls<T, D>::end(int block, int stage) {
   if (stage < 3) return;
   const auto [body, local] = state_.owner(block);
-  change_[block].after = particle_momentum<T, D>(body, local, body.stage[buffer_after(stage)]);
+  const FieldStore<T, D>& state = body.stage[buffer_after(stage)];
+  change_[block].after = particle_momentum<T, D>(body, local, state);
+  if (have_moments_) {
+    change_[block].turning_after =
+        angular_momentum<T, D>(body, local, state, body.stage[drift_buffer_after(stage)]);
+  }
 }
 
 // The particles of a body may have more mass together than the body, whose surface cuts their
@@ -100,7 +127,7 @@ Point<D> LoneWalls<T, D>::impulse(const std::vector<Point<D>>& of_body_forces) c
     sum.is_held = sum.is_held || change.is_held;
     for (int a = 0; a < D; ++a) {
       sum.gained[a] += change.after.momentum[a] - change.before.momentum[a] - of_body_forces[b][a];
-      sum.by_loads[a] += change.by_loads[a];
+      sum.by_loads[a] += change.by_loads.force[a];
     }
   }
   Point<D> impulse = {};
@@ -112,6 +139,34 @@ Point<D> LoneWalls<T, D>::impulse(const std::vector<Point<D>>& of_body_forces) c
     for (int a = 0; a < D; ++a) impulse[a] += share * sum.gained[a] - sum.by_loads[a];
   }
   return impulse;
+}
+
+template <class T, int D>
+Vector LoneWalls<T, D>::moment(
+    const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces) const {
+  Vector moment = {};
+  for (std::size_t body = 0; body < state_.bodies.size(); ++body) {
+    double mass = 0;
+    Vector gained = {}, by_loads = {};
+    bool is_held = false;
+    for (std::size_t b = 0; b < change_.size(); ++b) {
+      if (state_.blocks[b].body != static_cast<int>(body)) continue;
+      const Change& change = change_[b];
+      mass += change.after.mass;
+      is_held = is_held || change.is_held;
+      for (int a = 0; a < 3; ++a) {
+        gained[a] += change.turning_after[a] - change.turning_before[a];
+        by_loads[a] += change.by_loads.moment[a];
+        for (int stage = 0; stage < 4; ++stage) {
+          gained[a] -= stage_weight[stage] * time_step_ * body_forces[b][stage].moment[a];
+        }
+      }
+    }
+    if (!is_held) continue;
+    const double whole = state_.motion_budgets[body].mass, share = whole > 0 ? whole / mass : 1;
+    for (int a = 0; a < 3; ++a) moment[a] += share * gained[a] - by_loads[a];
+  }
+  return moment;
 }
 
 template class LoneWalls<double, 2>;

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "engine/boundaries/wrench.hpp"
+#include "engine/remeshed/loads/body_forces.hpp"
 #include "engine/remeshed/state/particle_momentum.hpp"
 #include "engine/remeshed/state/state.hpp"
 
@@ -15,8 +17,9 @@ namespace pliant::remeshed {
 template <class T, int D>
 class LoneWalls {
  public:
-  /// The forces of `measured` walls are needed.
-  LoneWalls(State<T, D>& state, const Case& settings, const std::vector<char>& measured);
+  /// The forces of `measured` walls are needed, and the moments of those with `has_moment`.
+  LoneWalls(State<T, D>& state, const Case& settings, const std::vector<char>& measured,
+            const std::vector<char>& has_moment);
 
   /// [axis] the wall that alone can act along it, or -1.
   const std::array<int, D>& along() const { return along_; }
@@ -33,20 +36,27 @@ class LoneWalls {
   }
   /// Whether momentum gives all components of the force of a wall.
   bool have_all_of(int wall) const;
+  /// Whether angular momentum gives its moment: no other wall acts.
+  bool have_moment_of(int wall) const {
+    return std::ranges::all_of(along_, [wall](int alone) { return alone == wall; });
+  }
 
   void prepare(double time_step);
   /// Reads a block before a stage, and when the stage has written its state.
-  void begin(int block, int stage, const Point<D>& force_of_loads);
+  void begin(int block, int stage, const Wrench<D>& force_of_loads);
   void end(int block, int stage);
   /// [axis] impulse of the walls on the bodies in the step [N s], with [block] that of body forces.
   Point<D> impulse(const std::vector<Point<D>>& of_body_forces) const;
+  /// The moment of this impulse about the origin [N m s], with [block][stage] body forces.
+  Vector moment(const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces) const;
 
  private:
   /// Of a block, or of a body, in one step.
   struct Change {
     ParticleMomentum<D> before, after;
-    Point<D> by_loads = {};  ///< impulse [N s]
-    bool is_held = false;    ///< whether there are ghosts of walls
+    Vector turning_before = {}, turning_after = {};  ///< angular momentum [N m s]
+    Wrench<D> by_loads;                              ///< impulse [N s], [N m s]
+    bool is_held = false;                            ///< whether there are ghosts of walls
   };
 
   State<T, D>& state_;
@@ -54,6 +64,7 @@ class LoneWalls {
   std::vector<char> has_edges_;            ///< [wall]
   std::array<std::vector<int>, D> together_;
   std::array<int, D> along_;
+  bool have_moments_ = false;  ///< whether angular momentum is needed
   double time_step_ = 0;
   std::vector<Change> change_;  ///< [block]
 };

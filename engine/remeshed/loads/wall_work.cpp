@@ -62,8 +62,7 @@ double share_before_others(const Body<T, D>& body, const BlockGhosts<T, D>& ghos
                            const Boundaries<D>& boundaries) {
   const int wall = ghosts.wall[g];
   const std::int64_t slot = ghosts.slot[g];
-  Point<D> foot = ghosts.foot[g];
-  for (int a = 0; a < D; ++a) foot[a] += body.stage[0].get(Field::drift, a)[slot];
+  const Point<D> foot = present_foot(body, ghosts, g, 0);
   const double h = body.lattice.spacing;
   if (!boundaries.walls[wall].slips()) {
     return share_in_front_of_walls<D>(boundaries, wall, foot, ghosts.normal[g], h);
@@ -107,11 +106,15 @@ void WallWork<T, D>::add(std::size_t g, const kernels::GhostFits<T, D>& fits,
   const int wall = ghosts_.wall[g];
   if (around_.boundaries.walls[wall].slips()) area *= growth_on_wall(body_, ghosts_, g, stage_);
   const auto push = kernels::wall_force_density<T, D>(fits, site, impedance_);
+  Point<D> given;
+  for (int a = 0; a < D; ++a) given[a] = duration_ * area * push[a];
+  if (!pushes_.empty()) {
+    pushes_[wall].add(present_foot(body_, ghosts_, g, stage_), given, duration_ * area);
+  }
   for (int a = 0; a < D; ++a) {
     if (lone_walls_[a] == wall) continue;
-    const double given = duration_ * area * push[a];
-    impulse_[wall][a] += given;
-    work_ += given * around_.values.wall_velocity[wall][a];
+    impulse_[wall][a] += given[a];
+    work_ += given[a] * around_.values.wall_motion[wall].velocity[a];
   }
 }
 

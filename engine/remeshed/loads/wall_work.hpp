@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/remeshed/loads/surroundings.hpp"
+#include "engine/remeshed/loads/wall_push.hpp"
 #include "engine/remeshed/state/state.hpp"
 
 namespace pliant::remeshed {
@@ -28,15 +29,17 @@ template <class T, int D>
 void find_wall_shares(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                       const std::vector<char>& watched, std::vector<WallShare>& shares);
 
-/// (RP.65) for a block in one stage: adds the push of walls to impulse[wall], and their work, but
-/// not along an axis along which momentum gives the force of the wall, see LoneWalls.
+/// (RP.65) for a block in one stage: adds the push of walls to impulse[wall], and the work of their
+/// centres, but not along an axis along which momentum gives the force of the wall, see LoneWalls.
+/// Adds the whole push to pushes[wall], where there are any.
 template <class T, int D>
 class WallWork {
  public:
   /// For a stage with the weight `duration` [s] in the step.
   WallWork(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, int stage,
            const Surroundings<D>& around, double duration, std::span<const WallShare> shares,
-           const std::array<int, D>& lone_walls, Point<D>* impulse, double& work)
+           const std::array<int, D>& lone_walls, std::span<WallPush<D>> pushes, Point<D>* impulse,
+           double& work)
       : body_(body),
         ghosts_(ghosts),
         stage_(stage),
@@ -44,6 +47,7 @@ class WallWork {
         duration_(duration),
         shares_(shares),
         lone_walls_(lone_walls),
+        pushes_(pushes),
         impulse_(impulse),
         work_(work),
         impedance_(body.material) {}
@@ -61,6 +65,7 @@ class WallWork {
   double duration_;
   std::span<const WallShare> shares_;     ///< of the ghosts that follow
   const std::array<int, D>& lone_walls_;  ///< [axis]
+  std::span<WallPush<D>> pushes_;         ///< [wall]; empty if no moment is needed
   Point<D>* impulse_;
   double& work_;
   kernels::Impedance<T> impedance_;

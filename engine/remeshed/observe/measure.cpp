@@ -58,6 +58,7 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
       {Quantity::total_energy, &Measurer::integral, Reads::particles},
       {Quantity::energy_ratio, &Measurer::integral, Reads::particles},
       {Quantity::wall_force, &Measurer::wall_impulse, Reads::particles},
+      {Quantity::wall_moment, &Measurer::wall_angular_impulse, Reads::particles},
       {Quantity::contact_force, &Measurer::contact_impulse, Reads::particles},
       {Quantity::volume, &Measurer::integral, Reads::particles},
       {Quantity::surface_area, &Measurer::area, Reads::nodes},
@@ -76,7 +77,13 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
 
 template <class T, int D>
 double Measurer<T, D>::wall_impulse(const MeasurementCase& m) {
-  return state_.wall_impulse[state_.boundaries.wall_of[m.boundary]][m.axis];
+  return state_.wall_impulse[state_.boundaries.wall_of[m.boundary]].force[m.axis];
+}
+
+template <class T, int D>
+double Measurer<T, D>::wall_angular_impulse(const MeasurementCase& m) {
+  return state_.wall_impulse[state_.boundaries.wall_of[m.boundary]].moment_about(
+      m.point)[D == 2 ? 2 : m.axis];
 }
 
 template <class T, int D>

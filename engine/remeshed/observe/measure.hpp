@@ -58,6 +58,7 @@ class Measurer {
   double mean_value(const MeasurementCase& m);
   double integral(const MeasurementCase& m);
   double wall_impulse(const MeasurementCase& m);
+  double wall_angular_impulse(const MeasurementCase& m);
   double contact_impulse(const MeasurementCase& m);
   double area(const MeasurementCase& m);
   double minimum_particle_distance(const MeasurementCase& m);

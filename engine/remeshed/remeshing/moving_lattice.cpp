@@ -47,28 +47,28 @@ void move_lattice(Body<T, D>& body, const Point<D>& by) {
 }  // namespace
 
 template <class T, int D>
-void move_lattices(State<T, D>& state, std::vector<Point<D>>& wall_offset) {
+void move_lattices(State<T, D>& state) {
   const std::vector<Wall<D>>& walls = state.boundaries.walls;
   if (std::ranges::any_of(walls, [](const Wall<D>& wall) { return wall.is_attached(); })) return;
+  const auto& former = state.remeshed_poses;
   const bool rest = std::ranges::equal(
-      walls, wall_offset,
-      [](const Wall<D>& wall, const Point<D>& at) { return wall.pose().offset == at; });
+      walls, former,
+      [](const Wall<D>& wall, const WallPose<D>& was) { return wall.pose().offset == was.offset; });
   if (rest) return;
   for (Body<T, D>& body : state.bodies) {
     const int wall = state.boundaries.nearest_contact(middle_of_particles(body)).first;
     Point<D> by = {};
     for (int a = 0; a < D; ++a) {
       const bool is_fixed = body.lattice.period[a] != 0;
-      by[a] = is_fixed ? 0 : walls[wall].pose().offset[a] - wall_offset[wall][a];
+      by[a] = is_fixed ? 0 : walls[wall].pose().offset[a] - former[wall].offset[a];
     }
     if (by != Point<D>{}) move_lattice<T, D>(body, by);
   }
-  for (std::size_t w = 0; w < walls.size(); ++w) wall_offset[w] = walls[w].pose().offset;
 }
 
-template void move_lattices<double, 2>(State<double, 2>&, std::vector<Point<2>>&);
-template void move_lattices<double, 3>(State<double, 3>&, std::vector<Point<3>>&);
-template void move_lattices<float, 2>(State<float, 2>&, std::vector<Point<2>>&);
-template void move_lattices<float, 3>(State<float, 3>&, std::vector<Point<3>>&);
+template void move_lattices<double, 2>(State<double, 2>&);
+template void move_lattices<double, 3>(State<double, 3>&);
+template void move_lattices<float, 2>(State<float, 2>&);
+template void move_lattices<float, 3>(State<float, 3>&);
 
 }  // namespace pliant::remeshed

@@ -8,15 +8,14 @@
 namespace pliant::remeshed {
 
 /// Moves the lattices of bodies with the nearest contact walls, by the motion of these since the
-/// last remeshing, from `wall_offset`, which becomes the present one. Particles do not move. Must
-/// be called before the particles are remeshed. Lattices do not move in periodic directions, nor in
-/// cases where walls hold bodies.
+/// last remeshing. Particles do not move. Must be called before the particles are remeshed.
+/// Lattices do not move in periodic directions, nor in cases where walls hold bodies.
 template <class T, int D>
-void move_lattices(State<T, D>& state, std::vector<Point<D>>& wall_offset);
+void move_lattices(State<T, D>& state);
 
-extern template void move_lattices<double, 2>(State<double, 2>&, std::vector<Point<2>>&);
-extern template void move_lattices<double, 3>(State<double, 3>&, std::vector<Point<3>>&);
-extern template void move_lattices<float, 2>(State<float, 2>&, std::vector<Point<2>>&);
-extern template void move_lattices<float, 3>(State<float, 3>&, std::vector<Point<3>>&);
+extern template void move_lattices<double, 2>(State<double, 2>&);
+extern template void move_lattices<double, 3>(State<double, 3>&);
+extern template void move_lattices<float, 2>(State<float, 2>&);
+extern template void move_lattices<float, 3>(State<float, 3>&);
 
 }  // namespace pliant::remeshed

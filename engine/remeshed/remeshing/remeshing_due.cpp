@@ -28,8 +28,7 @@ bool may_rest(const State<T, D>& state) {
 
 // (RP.96). If nothing moves, each remeshing would only add its own error.
 template <class T, int D>
-bool moves_in_contact(const Case& settings, const State<T, D>& state,
-                      const std::vector<Point<D>>& wall_offset) {
+bool moves_in_contact(const Case& settings, const State<T, D>& state) {
   const auto& bodies = state.bodies;
   if (!settings.contacts.empty() && !may_rest(state)) return true;
   const auto moves = [&](const ContactCase& contact) {
@@ -38,7 +37,7 @@ bool moves_in_contact(const Case& settings, const State<T, D>& state,
   };
   return std::ranges::any_of(settings.contacts, moves) ||
          std::ranges::any_of(bodies, [&](const Body<T, D>& body) {
-           return has_moved_at_walls<T, D>(body, state.boundaries, wall_offset);
+           return has_moved_at_walls<T, D>(body, state.boundaries, state.remeshed_poses);
          });
 }
 
@@ -54,8 +53,7 @@ bool swings(const State<T, D>& state) {
 }  // namespace
 
 template <class T, int D>
-bool remeshing_is_due(const Case& settings, const State<T, D>& state,
-                      const std::vector<Point<D>>& wall_offset) {
+bool remeshing_is_due(const Case& settings, const State<T, D>& state) {
   using Policy = decltype(Case::remeshing)::Policy;
   const Clock& clock = state.clock;
   switch (settings.remeshing.policy) {
@@ -65,7 +63,7 @@ bool remeshing_is_due(const Case& settings, const State<T, D>& state,
       return clock.accumulated_strain > settings.remeshing.strain_threshold ||
              clock.deformation > settings.remeshing.deformation_threshold ||
              (clock.steps_since_remeshing >= most_steps_in_contact &&
-              moves_in_contact<T, D>(settings, state, wall_offset)) ||
+              moves_in_contact<T, D>(settings, state)) ||
              (clock.steps_since_remeshing >= most_steps_of_swinging && swings(state));
     case Policy::never:
       return false;
@@ -73,13 +71,9 @@ bool remeshing_is_due(const Case& settings, const State<T, D>& state,
   return false;
 }
 
-template bool remeshing_is_due<double, 2>(const Case&, const State<double, 2>&,
-                                          const std::vector<Point<2>>&);
-template bool remeshing_is_due<double, 3>(const Case&, const State<double, 3>&,
-                                          const std::vector<Point<3>>&);
-template bool remeshing_is_due<float, 2>(const Case&, const State<float, 2>&,
-                                         const std::vector<Point<2>>&);
-template bool remeshing_is_due<float, 3>(const Case&, const State<float, 3>&,
-                                         const std::vector<Point<3>>&);
+template bool remeshing_is_due<double, 2>(const Case&, const State<double, 2>&);
+template bool remeshing_is_due<double, 3>(const Case&, const State<double, 3>&);
+template bool remeshing_is_due<float, 2>(const Case&, const State<float, 2>&);
+template bool remeshing_is_due<float, 3>(const Case&, const State<float, 3>&);
 
 }  // namespace pliant::remeshed

@@ -9,7 +9,7 @@ template <class T, int D>
 Remeshings<T, D>::Remeshings(const Case& settings, State<T, D>& state,
                              const kernels::RemeshedTable<T, D>& kernels,
                              scheduler::Workers& workers, Outside outside)
-    : settings_(settings), workers_(workers), wall_offset_(state.boundaries.walls.size()) {
+    : settings_(settings), workers_(workers) {
   for (Body<T, D>& body : state.bodies) {
     layouts_.push_back(&body.population.layout);
     new_layouts_.push_back(&body.spare.layout);

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/lattice/layout_blocks.hpp"
-#include "engine/remeshed/remeshing/moving_lattice.hpp"
 #include "engine/remeshed/remeshing/remesh.hpp"
 #include "engine/remeshed/state/state.hpp"
 #include "scheduler/workers.hpp"
@@ -27,12 +26,6 @@ class Remeshings {
   void prepare_target(bool reinitialise, bool is_final);
   void commit();
 
-  /// Moves lattices with contact walls, before the particles are remeshed.
-  void move_lattices(State<T, D>& state) { remeshed::move_lattices<T, D>(state, wall_offset_); }
-  /// [wall] displacement of walls from t = 0 to the last remeshing [m].
-  std::vector<Point<D>>& wall_offset() { return wall_offset_; }
-  const std::vector<Point<D>>& wall_offset() const { return wall_offset_; }
-
   /// Layouts of the present slots, and of the new lattices.
   const Layouts<D>& layouts() const { return layouts_; }
   const Layouts<D>& new_layouts() const { return new_layouts_; }
@@ -42,7 +35,6 @@ class Remeshings {
   const Case& settings_;
   scheduler::Workers& workers_;
   Layouts<D> layouts_, new_layouts_;
-  std::vector<Point<D>> wall_offset_;
   std::vector<std::unique_ptr<Remeshing<T, D>>> of_body_;
 };
 

@@ -54,9 +54,10 @@ void set_up(const Case& settings, const BodyCase& source, bool bears_loads, Body
 
 template <class T, int D>
 State<T, D> make_state(const Case& settings) {
-  State<T, D> state{{}, Boundaries<D>(with_deep_walls(settings)), {}, {}, {}, {}, {}, {}, {}};
+  State<T, D> state{{}, Boundaries<D>(with_deep_walls(settings)), {}, {}, {}, {}, {}, {}, {}, {}};
   state.clock.damping = settings.discretisation.damping.value_or(0);
   state.wall_impulse.resize(state.boundaries.walls.size());
+  state.remeshed_poses.resize(state.boundaries.walls.size());
   state.contact_impulse.resize(settings.contacts.size());
   state.bodies.resize(settings.bodies.size());
   const auto is_tied = [](const ContactCase& contact) { return contact.law == ContactLaw::tied; };

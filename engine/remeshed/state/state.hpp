@@ -5,6 +5,7 @@
 
 #include "engine/blocks/numbering.hpp"
 #include "engine/boundaries/walls.hpp"
+#include "engine/boundaries/wrench.hpp"
 #include "engine/case/case.hpp"
 #include "engine/method/energy_budget.hpp"
 #include "engine/method/step_clock.hpp"
@@ -44,8 +45,9 @@ struct State {
   Clock clock;
   Boundaries<D> boundaries;
   EnergyBudget energy;
-  std::vector<Point<D>> wall_impulse;     ///< [wall] on the bodies, since t = 0 [N s]
-  std::vector<Point<D>> contact_impulse;  ///< [contact] on its second body, since t = 0 [N s]
+  std::vector<WallPose<D>> remeshed_poses;  ///< [wall] at the last remeshing
+  std::vector<Wrench<D>> wall_impulse;      ///< [wall] on the bodies, since t = 0 [N s], [N m s]
+  std::vector<Point<D>> contact_impulse;    ///< [contact] on its second body, since t = 0 [N s]
   std::vector<Body<T, D>> bodies;
   std::vector<MomentumBudget<D>>
       momentum_budgets;                         ///< [body]; empty without contact between bodies

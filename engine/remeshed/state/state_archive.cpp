@@ -203,7 +203,8 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
   });
   put_energy(archive, "energy", state.energy);
   put_boundaries<D>(archive, state.boundaries);
-  put_points<D>(archive, "walls/impulse", state.wall_impulse);
+  put_poses<D>(archive, "walls/remeshed", state.remeshed_poses);
+  put_wrenches<D>(archive, "walls/impulse", state.wall_impulse);
   put_points<D>(archive, "contacts/impulse", state.contact_impulse);
   std::vector<double> momentum_budgets;
   for (const MomentumBudget<D>& budget : state.momentum_budgets) {
@@ -242,7 +243,8 @@ void get_state(const ArchiveReader& archive, State<T, D>& state, Remeshings<T, D
   });
   get_energy(archive, "energy", state.energy);
   get_boundaries<D>(archive, state.boundaries);
-  get_points<D>(archive, "walls/impulse", state.wall_impulse);
+  get_poses<D>(archive, "walls/remeshed", state.remeshed_poses);
+  get_wrenches<D>(archive, "walls/impulse", state.wall_impulse);
   get_points<D>(archive, "contacts/impulse", state.contact_impulse);
   const auto momentum_budgets = archive.get<double>("momentum_budgets");
   for (std::size_t b = 0; b < state.momentum_budgets.size(); ++b) {

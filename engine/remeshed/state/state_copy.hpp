@@ -33,7 +33,8 @@ class StateCopy {
   Clock clock_;
   EnergyBudget energy_;
   std::vector<WallPose<D>> wall_pose_;
-  std::vector<Point<D>> wall_impulse_, contact_impulse_;
+  std::vector<Wrench<D>> wall_impulse_;
+  std::vector<Point<D>> contact_impulse_;
   std::vector<MomentumBudget<D>> momentum_budgets_;
   std::vector<MotionBudget<D>> motion_budgets_;
   std::vector<OfBody> bodies_;

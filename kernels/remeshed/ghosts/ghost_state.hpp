@@ -192,10 +192,11 @@ GhostState<T, D> averaged_wall_ghost(RecordSum<T, D> mean, const VectorOf<T, D>&
 /// The wall at one of its ghosts.
 template <class T, int D>
 struct WallSite {
-  VectorOf<T, D> velocity;  ///< of the wall [m/s]
-  VectorOf<T, D> n;         ///< its unit normal, into the body
-  T friction;               ///< coefficient of Coulomb's law; 0: slip, infinity: no-slip
-  T rise = 0;               ///< sigma_nn of the ghost minus that at a slip wall, (RP.79) [Pa]
+  VectorOf<T, D> velocity;  ///< of the wall at the foot point [m/s]
+  VectorOf<T, D> beyond;  ///< u_w of (RP.46), (RP.114) [m/s]; `velocity` if the wall does not turn
+  VectorOf<T, D> n;       ///< its unit normal, into the body
+  T friction;             ///< coefficient of Coulomb's law; 0: slip, infinity: no-slip
+  T rise = 0;             ///< sigma_nn of the ghost minus that at a slip wall, (RP.79) [Pa]
 };
 
 /// w.n, the speed at which the body leaves the wall.
@@ -225,7 +226,7 @@ GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, D>& w
   const VectorOf<T, D>& n = wall.n;
   const T away = separation_speed<T, D>(fits, wall);
   GhostState<T, D> ghost;
-  ghost.velocity = wall_ghost_velocity<T, D>(fits, wall.velocity);
+  ghost.velocity = wall_ghost_velocity<T, D>(fits, wall.beyond);
   VectorOf<T, D> slip;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
@@ -255,7 +256,7 @@ GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, 
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     const T constrained =
-        fits.constrained.velocity(i) + wall.velocity[i] * (1 - fits.constrained_sum);
+        fits.constrained.velocity(i) + wall.beyond[i] * (1 - fits.constrained_sum);
     jump += n[i] * (constrained - at_wall.velocity(i));
   }
   const VectorOf<T, D> tau = shear<T, D>(at_wall, n);

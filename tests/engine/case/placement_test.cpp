@@ -159,12 +159,14 @@ TEST(placement, bodies_that_touch_without_a_contact_do_not_act_on_each_other) {
   EXPECT_EQ(warning(second("2", "[[contact]]\nbodies = [\"top\", \"block\"]\n")), "");
 }
 
-TEST(placement, walls_turn_in_methods_on_the_undeformed_body) {
-  const std::string turning =
-      block_case + boundary("kind = \"moving_wall\"\nrotation = { angle = \"t\" }", left);
-  EXPECT_EQ(complaint("method = \"total_lagrangian\"\n" + turning), "");
-  EXPECT_EQ(complaint(turning),
-            "block.toml:13: method \"remeshed\" has no walls that turn; take method = "
+TEST(placement, contact_walls_turn_in_methods_on_the_undeformed_body) {
+  const auto turning = [](const std::string& kind) {
+    return block_case + boundary("kind = \"" + kind + "\"\nrotation = { angle = \"t\" }", left);
+  };
+  EXPECT_EQ(complaint("method = \"total_lagrangian\"\n" + turning("contact_wall")), "");
+  EXPECT_EQ(complaint(turning("moving_wall")), "");
+  EXPECT_EQ(complaint(turning("contact_wall")),
+            "block.toml:13: method \"remeshed\" has no contact walls that turn; take method = "
             "\"total_lagrangian\", or remove the key");
 }
 

@@ -82,9 +82,12 @@ inline Snapshot snapshot_of(const Solver& solver, Slots which = Slots::all) {
   for (const auto& wall : solver.state().boundaries.walls) {
     snapshot["walls"].insert(snapshot["walls"].end(), wall.pose().offset.begin(),
                              wall.pose().offset.end());
+    snapshot["walls"].push_back(wall.pose().angle);
   }
   for (const auto& impulse : solver.state().wall_impulse) {
-    snapshot["impulse"].insert(snapshot["impulse"].end(), impulse.begin(), impulse.end());
+    std::vector<double>& values = snapshot["impulse"];
+    values.insert(values.end(), impulse.force.begin(), impulse.force.end());
+    values.insert(values.end(), impulse.moment.begin(), impulse.moment.end());
   }
   const EnergyBudget energy = *solver.energy_budget();
   snapshot["energy budget"] = {energy.wall_work, energy.load_work, energy.body_force_work,

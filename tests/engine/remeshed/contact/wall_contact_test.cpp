@@ -71,11 +71,11 @@ std::pair<double, double> impact(const Block& block) {
   const double transit = 3 * side / sound, wave = sound * speed * std::pow(side, D - 1);
   remeshed::Solver<double, D> solver(case_of(block), {1, kernels::widest_supported()});
   advance_until(solver, 0.4 * transit);
-  const double impulse = solver.state().wall_impulse[0][1], start = solver.clock().time,
+  const double impulse = solver.state().wall_impulse[0].force[1], start = solver.clock().time,
                momentum = solver.integrals().momentum[1];
   advance_until(solver, 1.8 * transit);
   const double whole = wave * (solver.clock().time - start);
-  return {(solver.state().wall_impulse[0][1] - impulse) / whole,
+  return {(solver.state().wall_impulse[0].force[1] - impulse) / whole,
           (solver.integrals().momentum[1] - momentum) / whole};
 }
 
@@ -128,9 +128,9 @@ Rest rest(const Block& block, const Settings& settings = {}) {
   Solver solver(case_of(block, settings), {1, kernels::widest_supported()});
   const double mass = solver.integrals().mass;
   advance_until(solver, 0.5);
-  const double impulse = solver.state().wall_impulse[0][1], start = solver.clock().time;
+  const double impulse = solver.state().wall_impulse[0].force[1], start = solver.clock().time;
   advance_until(solver, 0.6);
-  return {(solver.state().wall_impulse[0][1] - impulse) / (solver.clock().time - start) /
+  return {(solver.state().wall_impulse[0].force[1] - impulse) / (solver.clock().time - start) /
               (10 * side * side),
           solver.integrals().mass / mass};
 }

@@ -15,6 +15,12 @@ using Place = RecordPlace<2>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// A wall that does not turn.
+WallSite<double, 2> site(const VectorOf<double, 2>& velocity, const VectorOf<double, 2>& normal,
+                         double friction) {
+  return {velocity, velocity, normal, friction};
+}
+
 /// Sums of random records with a unit normal among them.
 template <int D>
 struct RandomSum {
@@ -103,7 +109,7 @@ TEST(ghost_state, a_body_at_rest_under_its_surface_pressure_stays_at_rest) {
   for (const auto& ghost :
        {free_surface_ghost<double, 2>(everywhere, pressure, impedance),
         free_surface_ghost<double, 2>(beside_a_wall, pressure, impedance),
-        wall_ghost<double, 2>(everywhere, {{0, 0}, {-1, 0}, infinity}, impedance)}) {
+        wall_ghost<double, 2>(everywhere, site({0, 0}, {-1, 0}, infinity), impedance)}) {
     for (const double u : ghost.velocity) EXPECT_NEAR(u, 0, 1e-16);
     EXPECT_NEAR(ghost.stress[0], -pressure, 1e-15);
     EXPECT_NEAR(ghost.stress[1], 0, 1e-15);
@@ -133,7 +139,7 @@ TEST(ghost_state, the_pressure_of_a_wall_is_that_of_the_wave_it_sends_back) {
   const auto pressure = [&](double s_yy, double u_y, double wall) {
     const UniformFits state(s_yy, 0, u_y);
     const auto of = [&](bool slips) {
-      return wall_pressure<double, 2>(state.fits(), {{0, wall}, {0, 1}, 0.}, slips, impedance);
+      return wall_pressure<double, 2>(state.fits(), site({0, wall}, {0, 1}, 0.), slips, impedance);
     };
     EXPECT_DOUBLE_EQ(of(true), of(false));
     return of(true);
@@ -153,16 +159,16 @@ TEST(ghost_state, a_wall_pushes_against_the_traction_and_only_a_no_slip_one_alon
   const VectorOf<double, 2> floor = {0, 1};
   const UniformFits at_rest(-3, 0.5, 0);
   const auto sliding =
-      wall_force_density<double, 2>(at_rest.fits(), {{0, 0}, floor, 0.}, impedance);
+      wall_force_density<double, 2>(at_rest.fits(), site({0, 0}, floor, 0.), impedance);
   EXPECT_DOUBLE_EQ(sliding[0], 0);
   EXPECT_DOUBLE_EQ(sliding[1], 3);
   const auto no_slip =
-      wall_force_density<double, 2>(at_rest.fits(), {{0, 0}, floor, infinity}, impedance);
+      wall_force_density<double, 2>(at_rest.fits(), site({0, 0}, floor, infinity), impedance);
   EXPECT_DOUBLE_EQ(no_slip[0], -0.5);
   EXPECT_DOUBLE_EQ(no_slip[1], 3);
   // Stress-free material hits a wall at speed w: rho c w in the ghost, nothing before it.
-  const auto hit =
-      wall_force_density<double, 2>(UniformFits(0, 0, -2).fits(), {{0, 0}, floor, 0.}, impedance);
+  const auto hit = wall_force_density<double, 2>(UniformFits(0, 0, -2).fits(),
+                                                 site({0, 0}, floor, 0.), impedance);
   EXPECT_DOUBLE_EQ(hit[1], impedance.pressure_wave);
 }
 
@@ -175,11 +181,11 @@ TEST(ghost_state, friction_holds_up_to_its_coefficient_times_the_pressure) {
   const UniformFits pressed(-3, 0.5, 0);
   for (const double friction : {0.1, 0.16, 0.17, 0.5}) {
     const auto push =
-        wall_force_density<double, 2>(pressed.fits(), {{0, 0}, {0, 1}, friction}, impedance);
+        wall_force_density<double, 2>(pressed.fits(), site({0, 0}, {0, 1}, friction), impedance);
     EXPECT_DOUBLE_EQ(push[0], -std::min(0.5, 3 * friction));
     EXPECT_DOUBLE_EQ(push[1], 3);
     const auto ghost =
-        friction_wall_ghost<double, 2>(pressed.fits(), {{0, 0}, {0, 1}, friction}, impedance);
+        friction_wall_ghost<double, 2>(pressed.fits(), site({0, 0}, {0, 1}, friction), impedance);
     EXPECT_EQ(ghost.velocity[0] == 0, 3 * friction > 0.5) << "it slides otherwise";
   }
 }
@@ -195,15 +201,33 @@ TEST(ghost_state, behind_a_slip_wall_is_what_lies_at_it_but_what_changes_its_sig
                                             linear = {-1.5, 0.6, -4.5, 0, 0.5, -0.2},
                                             constrained = {-1.7, 0.4, -4.7, 0, 0.7, -0.1};
   const GhostFits<double, 2> fits{{linear.data()}, {constrained.data()}, {foot.data()}, 0, 1};
-  const auto ghost = slip_wall_ghost<double, 2>(fits, {{7, 0}, {0, 1}, 0.}, impedance);
+  const auto ghost = slip_wall_ghost<double, 2>(fits, site({7, 0}, {0, 1}, 0.), impedance);
   EXPECT_DOUBLE_EQ(ghost.velocity[0], 0.3);
   EXPECT_DOUBLE_EQ(ghost.velocity[1], -0.1);
   EXPECT_DOUBLE_EQ(ghost.stress[0], -1);
   EXPECT_DOUBLE_EQ(ghost.stress[1], 0.4);
   EXPECT_DOUBLE_EQ(ghost.stress[2], -4);
-  EXPECT_DOUBLE_EQ((wall_pressure<double, 2>(fits, {{7, 0}, {0, 1}, 0.}, true, impedance)), 3.75)
+  EXPECT_DOUBLE_EQ((wall_pressure<double, 2>(fits, site({7, 0}, {0, 1}, 0.), true, impedance)),
+                   3.75)
       << "the mean of 4 in the ghost and 3.5 in the body";
-  EXPECT_DOUBLE_EQ((wall_pressure<double, 2>(fits, {{7, 0}, {0, 1}, 0.}, false, impedance)), 4);
+  EXPECT_DOUBLE_EQ((wall_pressure<double, 2>(fits, site({7, 0}, {0, 1}, 0.), false, impedance)), 4);
+}
+
+// A body turns with its wall: there is no jump at the foot, and the ghost turns as well.
+TEST(ghost_state, behind_a_wall_that_turns_has_the_velocity_of_its_solid) {
+  Material<double> material;
+  material.density = 1;
+  material.bulk_modulus = 80;
+  material.shear_modulus = 30;
+  const Impedance<double> impedance(material);
+  const std::array<double, record_width<2>> foot = {-1.0, 0.2, -4.0, 0, 0.3, -0.2},
+                                            constrained = {0, 0, 0, 0, -0.5, 0.1};
+  const GhostFits<double, 2> fits{{foot.data()}, {constrained.data()}, {foot.data()}, -1, 1};
+  const WallSite<double, 2> wall{{0.3, -0.2}, {0.4, -0.15}, {0, 1}, infinity};
+  const auto ghost = wall_ghost<double, 2>(fits, wall, impedance);
+  EXPECT_DOUBLE_EQ(ghost.velocity[0], 0.3);
+  EXPECT_DOUBLE_EQ(ghost.velocity[1], -0.2);
+  for (int c = 0; c < 3; ++c) EXPECT_DOUBLE_EQ(ghost.stress[c], foot[c]);
 }
 
 // sigma_yy is -4 on the wall and decreases by 0.5 per spacing behind it, as under a weight.
@@ -215,7 +239,8 @@ TEST(ghost_state, a_slip_wall_carries_the_weight_between_its_ghosts_and_itself) 
   const UniformFits foot(-4, 0, 0), linear(-4.5, 0, 0);
   const GhostFits<double, 2> fits{
       {linear.record.data()}, {foot.record.data()}, {foot.record.data()}, 0, 1};
-  const WallSite<double, 2> wall{{0, 0}, {0, 1}, 0., -0.5};
+  WallSite<double, 2> wall = site({0, 0}, {0, 1}, 0);
+  wall.rise = -0.5;
   EXPECT_DOUBLE_EQ((slip_wall_ghost<double, 2>(fits, wall, impedance).stress[2]), -4.5);
   EXPECT_DOUBLE_EQ((wall_pressure<double, 2>(fits, wall, true, impedance)), 4);
 }

@@ -2,7 +2,7 @@
 
 #include "engine/boundaries/rigid_motion.hpp"
 
-namespace pliant::undeformed {
+namespace pliant {
 
 /// A force [N] and its moment about the origin [N m], or their impulses.
 template <int D>
@@ -31,4 +31,4 @@ struct Wrench {
   }
 };
 
-}  // namespace pliant::undeformed
+}  // namespace pliant
