@@ -22,6 +22,7 @@
 #include "engine/undeformed/coarse_tools.hpp"
 #include "engine/undeformed/default_cfl.hpp"
 #include "engine/undeformed/linear_material.hpp"
+#include "engine/undeformed/round_bodies.hpp"
 #include "engine/undeformed/slip_walls.hpp"
 #include "engine/undeformed/squeezed_bodies.hpp"
 
@@ -151,6 +152,14 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       a_case.bodies, [](const BodyCase& body) { return has_elements(body.geometry); });
   if (have_elements) return;
   warn_of_walls_off_the_lattice(a_case, warnings);
+  // Measured for discs and balls between plates, docs/decisions/0082.
+  static constexpr ThinBodyError pressed[] = {
+      {4.5, "forces on its round parts deviate by up to 40 % where it touches something"},
+      {5.5, "forces on its round parts deviate by up to 27 % where it touches something"},
+      {7.5, "forces on its round parts deviate by up to 17 % where it touches something"},
+      {9.5, "forces on its round parts deviate by up to 9 % where it touches something"},
+      {12.5, "forces on its round parts deviate by up to 6 % where it touches something"}};
+  undeformed::warn_of_round_bodies(a_case, pressed, warnings);
   // Measured for trapezoids, and discs and balls held by a cap, docs/decisions/0078.
   static constexpr ThinBodyError held_by_a_cap[] = {
       {8.5, "forces and displacements deviate by up to 13 %, as it overhangs a wall that holds it"},

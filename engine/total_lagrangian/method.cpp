@@ -13,6 +13,7 @@
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/solver.hpp"
 #include "engine/undeformed/coarse_tools.hpp"
+#include "engine/undeformed/round_bodies.hpp"
 #include "engine/undeformed/squeezed_bodies.hpp"
 #include "kernels/total_lagrangian/arguments.hpp"
 
@@ -100,6 +101,12 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {8.5, "where walls that hold it squeeze it, forces are up to 5 % too large"}};
   undeformed::warn_of_squeezed_bodies(a_case, squeezed, warnings);
   undeformed::warn_of_coarse_tools(a_case, undeformed::bonded_punches, warnings);
+  // Measured for discs and balls between plates, docs/decisions/0082.
+  static constexpr ThinBodyError pressed[] = {
+      {4.5, "forces on its round parts deviate by up to 40 % where it touches something"},
+      {7.5, "forces on its round parts deviate by up to 10 % where it touches something"},
+      {10.5, "forces on its round parts deviate by up to 5 % where it touches something"}};
+  undeformed::warn_of_round_bodies(a_case, pressed, warnings);
   // Measured for squares, discs and balls that rotate or are sheared.
   warn_of_initial_motion(a_case, {.boxes = 1, .others = 2}, warnings);
 }

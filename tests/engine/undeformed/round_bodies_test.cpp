@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -121,6 +122,44 @@ TEST(bodies_in_contact, collide_as_the_spheres_of_hertz) {
     EXPECT_NEAR(at, 0.294, 0.02) << method;
     EXPECT_NEAR(end, 0.59, 0.03) << method;
     EXPECT_NEAR(values(*run)["momentum_of_left"] / momentum, -0.998, 0.003) << method;
+  }
+}
+
+// A plate presses a disc by a tenth of its diameter against another one; the force is that with 48
+// spacings across, docs/decisions/0082.
+TEST(bodies_between_plates, are_warned_of_where_a_disc_has_too_few_spacings) {
+  constexpr double right = 418.6;  // [N/m]
+  for (const std::string method : {"total_lagrangian", "point_based"}) {
+    const auto text = [&](double across) {
+      return "method = \"" + method +
+             "\"\ndimension = 2\ndiscretisation.spacing = " + fmt::format("{}", 0.1 / across) +
+             "\ntime.end = 0.6\n[" + method +
+             R"(]
+damping = 20
+[[body]]
+name = "disc"
+material = { model = "neo_hookean", density = 1000, youngs_modulus = 1e5, poissons_ratio = 0.3 }
+geometry = { shape = "disc", centre = [0, 0], radius = 0.05 }
+)" +
+             half_space("floor", "kind = \"contact_wall\"\nfriction = \"no_slip\"", "[0, -0.05]",
+                        "[0, 1]") +
+             half_space("plate",
+                        "kind = \"contact_wall\"\nfriction = \"no_slip\"\ndisplacement = [0, "
+                        "\"-0.01*(1 - cos(pi*min(t/0.3, 1)))/2\"]",
+                        "[0, 0.05]", "[0, -1]") +
+             measurement("force", "kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"y\"\n");
+    };
+    const auto force = [&](double across) {
+      const auto run = methods().make(tests::read_text(text(across)), {});
+      run->advance(0.5);
+      const double before = values(*run)["force"];
+      run->advance(0.6);
+      return (values(*run)["force"] - before) / 0.1;
+    };
+    EXPECT_EQ(warnings_of_method(tests::read_text(text(7))).size(), 1U) << method;
+    EXPECT_NEAR(force(7), 0.92 * right, 0.015 * right) << method;
+    EXPECT_TRUE(warnings_of_method(tests::read_text(text(14))).empty()) << method;
+    EXPECT_NEAR(force(14), right, 0.02 * right) << method;
   }
 }
 
