@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/undeformed/body.hpp"
 
 namespace pliant::undeformed {
@@ -30,16 +31,17 @@ Point<D> projected(const std::array<double, D * D>& free, const Point<D>& v) {
   return left;
 }
 
-/// A projection that is also normal to `n`; exact for walls at right angles.
+/// A projection that is also normal to the unit vector `n`; the same if it is so already, up to
+/// some degrees.
 template <int D>
 std::array<double, D * D> without(const std::array<double, D * D>& free, const Point<D>& n) {
-  Point<D> along = {};
-  for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j) along[j] += n[i] * free[D * i + j];
-  }
+  constexpr double least = 0.01;
+  const Point<D> along = projected<D>(free, n);
+  const double square = dot<D>(along, along);
+  if (square < least) return free;
   std::array<double, D* D> rest = free;
   for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j) rest[D * i + j] -= n[i] * along[j];
+    for (int j = 0; j < D; ++j) rest[D * i + j] -= along[i] * along[j] / square;
   }
   return rest;
 }

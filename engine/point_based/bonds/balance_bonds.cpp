@@ -8,6 +8,7 @@
 #include "engine/point_based/bonds/chosen_bonds.hpp"
 #include "engine/point_based/bonds/nearest_nodes.hpp"
 #include "engine/point_based/bonds/patch_weights.hpp"
+#include "engine/undeformed/held_directions.hpp"
 
 // Most nodes of a body on a lattice are regular: a uniform stress exerts no force on them. Only the
 // weights of nodes near irregular ones change.
@@ -82,14 +83,15 @@ class Balance {
           BondChoice<D>& choice)
       : bonds_(cloud, choice),
         choice_(choice),
-        is_held_(cloud.positions.size()),
-        count_(cloud.positions.size()),
-        normal_(cloud.positions.size()) {
+        free_(cloud.positions.size(), undeformed::all_directions<D>()),
+        count_(cloud.positions.size()) {
     const WallBearings<T, D> walls(body, cloud.positions, boundaries);
     areas_ = surface_shares(body, bonds_, [&walls](const auto& corners, const Point<D>& area) {
       return walls.of(corners, area);
     });
-    note_walls(body);
+    for (const auto& [slot, free] : undeformed::held_directions(body)) {
+      free_[body.number[slot]] = free;
+    }
   }
 
   void improve() {
@@ -105,20 +107,6 @@ class Balance {
 
  private:
   std::int64_t nodes() const { return static_cast<std::int64_t>(areas_.size()); }
-
-  void note_walls(const Body<T, D>& body) {
-    for (const auto& of_block : body.held) {
-      for (const auto& held : of_block) {
-        const std::int64_t node = body.number[held.slot];
-        // What two walls guide keeps one direction at most.
-        if (held.normal == Point<D>{} || normal_[node] != Point<D>{}) {
-          is_held_[node] = true;
-        } else {
-          normal_[node] = held.normal;
-        }
-      }
-    }
-  }
 
   /// Adds the forces of the energy of a node to those on its neighbours and itself.
   template <class Add>
@@ -142,17 +130,16 @@ class Balance {
     for (std::int64_t i = 0; i < nodes(); ++i) {
       add(i, -1, areas_[i]);
       const NodeOperator<D> made = bonds_.gradient(i);
-      if (made.rank < D) is_held_[i] = true;
+      if (made.rank < D) free_[i] = {};
       if (!(choice_.elastic_volumes[i] > 0) || made.rank < D) continue;
       count_[i] = made.gradient.size();
       add_forces(i, made, add);
     }
     std::vector<bool> changes(areas_.size());
     for (std::int64_t i = 0; i < nodes(); ++i) {
-      const double along = dot<D>(force[i], normal_[i]);
-      const double square = dot<D>(force[i], force[i]) - along * along;
+      const Point<D> unborne = undeformed::projected<D>(free_[i], force[i]);
       const double area = std::pow(choice_.elastic_volumes[i], (D - 1.) / D);
-      changes[i] = !is_held_[i] && square > no_force * no_force * area * area;
+      changes[i] = dot<D>(unborne, unborne) > no_force * no_force * area * area;
     }
     for (int layer = 0; layer < layers_that_change; ++layer) changes = with_neighbours(changes);
     return changes;
@@ -183,8 +170,7 @@ class Balance {
       part.positions.push_back(bonds_.place(i));
       part.volumes.push_back(choice_.elastic_volumes[i]);
       part.areas.push_back(areas_[i]);
-      part.is_held.push_back(is_held_[i]);
-      part.normal.push_back(normal_[i]);
+      part.free.push_back(free_[i]);
     }
     part.weight.resize(members_.size());
     part.neighbour.resize(members_.size());
@@ -212,9 +198,9 @@ class Balance {
 
   ChosenBonds<D> bonds_;
   BondChoice<D>& choice_;
-  std::vector<bool> is_held_;       ///< [node] may take any force
+  /// [node] the directions in which no wall takes the force, as in WeightedNodes
+  std::vector<std::array<double, D * D>> free_;
   std::vector<std::size_t> count_;  ///< [node] of its bonds that have an energy
-  std::vector<Point<D>> normal_;    ///< [node] of the wall that guides it; 0: none
   std::vector<Point<D>> areas_;     ///< [node] (PB.51)
   std::vector<std::int64_t> members_;
 };

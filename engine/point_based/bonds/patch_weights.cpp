@@ -50,7 +50,6 @@ class PatchTest {
   double worst() const {
     double most = 0;
     for (std::size_t i = 0; i < force_.size(); ++i) {
-      if (is_held(i)) continue;
       const double area = std::pow(nodes_.volumes[i], (D - 1.) / D);
       most = std::max(most, unborne(i, force_[i]).norm() / area);
     }
@@ -97,29 +96,29 @@ class PatchTest {
 
   static Matrix unit() { return Matrix::Identity(); }
 
-  bool is_held(std::size_t i) const { return !nodes_.is_held.empty() && nodes_.is_held[i]; }
+  /// The projection onto the directions in which no wall bears the force on node i.
+  Matrix free(std::size_t i) const {
+    if (nodes_.free.empty()) return unit();
+    return Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>(nodes_.free[i].data());
+  }
 
   /// The part of a force on node i that no wall bears.
   Vector unborne(std::size_t i, const Vector& force) const {
-    if (is_held(i)) return Vector::Zero();
-    if (nodes_.normal.empty()) return force;
-    const Eigen::Map<const Vector> n(nodes_.normal[i].data());
-    return force - n.dot(force) * n;
+    return nodes_.free.empty() ? force : free(i) * force;
   }
 
   /// The inverse of a diagonal block for such parts.
   Matrix inverse_block(std::size_t i, const Matrix& block) const {
-    if (is_held(i)) return Matrix::Zero();
+    if (free(i).isZero()) return Matrix::Zero();
     // The bonds of its neighbours alone may reach a node in one direction only.
     if (all_[i].bonds.empty()) return inverse_block_along(i, block + few * block.trace() * unit());
     return inverse_block_along(i, block);
   }
 
   Matrix inverse_block_along(std::size_t i, const Matrix& block) const {
-    if (nodes_.normal.empty()) return block.inverse();
-    const Eigen::Map<const Vector> n(nodes_.normal[i].data());
-    const Matrix along = unit() - n * n.transpose();
-    return along * (along * block * along + block.trace() * n * n.transpose()).inverse() * along;
+    if (nodes_.free.empty()) return block.inverse();
+    const Matrix along = free(i);
+    return along * (along * block * along + block.trace() * (unit() - along)).inverse() * along;
   }
 
   /// Computes gradients and r of the present weights, and the diagonal blocks of J J^T.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,9 +16,8 @@ struct WeightedNodes {
   std::vector<Point<D>> areas;                       ///< [node] a, outwards [m^(D-1)]
   std::vector<std::vector<std::int32_t>> neighbour;  ///< [node][bond] may be empty
   std::vector<std::vector<double>> weight;           ///< [node][bond] positive
-  std::vector<bool> is_held;  ///< [node] may take any force; empty: no node may
-  /// [node] unit normal of the wall that takes any force along it, or zero; empty: zero
-  std::vector<Point<D>> normal;
+  /// [node] row-major projection onto the directions in which no wall takes the force; empty: all
+  std::vector<std::array<double, D * D>> free;
 };
 
 /// [bond] the factors by which weights have changed.
