@@ -66,6 +66,8 @@ struct BodySurface {
   std::vector<std::int32_t> node;                  ///< [corner] slot
   std::vector<std::array<std::int32_t, D>> facet;  ///< corners, ordered as seen from outside
   std::vector<bool> is_free;                       ///< [facet] not on a wall
+  /// [facet] that fills a rectangle with it, or -1, see rectangles.hpp; empty: none does
+  std::vector<std::int32_t> other_half;
   const Shape* shape =
       nullptr;         ///< shape on which facets lie approximately; null for elements and meshes
   double spacing = 0;  ///< of the lattice that the surface comes from, if there is a shape [m]

@@ -63,14 +63,14 @@ void warn_of_small_hollows(const Case& a_case, std::span<const ThinBodyError> er
   const double h = a_case.discretisation.spacing;
   for (const BodyCase& body : a_case.bodies) {
     const double radius = smallest_hollow(a_case, body);
-    const auto error = std::ranges::find_if(errors, [&](const ThinBodyError& one) {
-      return radius < one.across * (1 - rounding) * h;
-    });
+    const auto error = std::ranges::find_if(
+        errors, [&](const ThinBodyError& one) { return radius < one.across * (1 - rounding) * h; });
     if (error == errors.end()) continue;
-    warnings.push_back(fmt::format(
-        "body `{}` has a hole or a hollow with a radius of {:.2g} spacings: {}; use a finer spacing "
-        "(discretisation.spacing = {:.3g} or below)",
-        body.name, radius / h, error->deviation, radius / errors.back().across));
+    warnings.push_back(
+        fmt::format("body `{}` has a hole or a hollow with a radius of {:.2g} spacings: {}; use a "
+                    "finer spacing "
+                    "(discretisation.spacing = {:.3g} or below)",
+                    body.name, radius / h, error->deviation, radius / errors.back().across));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/point_based/bonds/bonds.hpp"
 #include "engine/point_based/bonds/node_operator.hpp"
+#include "engine/point_based/surface/rectangles.hpp"
 
 namespace pliant::point_based {
 
@@ -52,25 +53,27 @@ std::vector<Point<D>> surface_shares(const Body<T, D>& body, const ChosenBonds<D
                                      const Bearing& bearing) {
   std::vector<Point<D>> shares(body.particles);
   const auto add = [&shares](std::int64_t node, double weight, const Point<D>& area) {
-    for (int a = 0; a < D; ++a) shares[node][a] += weight / D * area[a];
+    for (int a = 0; a < D; ++a) shares[node][a] += weight * area[a];
   };
   std::map<std::int64_t, NodeOperator<D>> known;
-  for (const auto& facet : body.surface.facet) {
+  for (std::size_t f = 0; f < body.surface.facet.size(); ++f) {
+    const auto& facet = body.surface.facet[f];
     std::array<Point<D>, D> corner;
     for (int v = 0; v < D; ++v) corner[v] = body.surface.start[facet[v]];
     Point<D> area = undeformed::area_vector<D>(corner);
     if (const BorneArea<D> borne = bearing(corner, area); borne.node >= 0) {
-      add(borne.node, D, borne.area);
+      add(borne.node, 1, borne.area);
       area = difference<D>(area, borne.area);
     }
+    const auto part = shares_of_corners<D>(apex_of_half(body.surface, f));
     for (int v = 0; v < D; ++v) {
       const std::int64_t i = body.number[body.surface.node[facet[v]]];
       const Point<D> from = difference<D>(corner[v], bonds.place(i));
-      add(i, 1, area);
+      add(i, part[v], area);
       if (!known.contains(i)) known.emplace(i, bonds.gradient(i));
       const std::vector<Point<D>>& gradient = known.at(i).gradient;
       for (std::size_t k = 0; k < gradient.size(); ++k) {
-        const double share = dot<D>(gradient[k], from);
+        const double share = part[v] * dot<D>(gradient[k], from);
         add(bonds.neighbour(i, k), share, area);
         add(i, -share, area);
       }

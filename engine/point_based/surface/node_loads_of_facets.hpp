@@ -8,6 +8,7 @@
 #include "engine/boundaries/walls.hpp"
 #include "engine/point_based/body.hpp"
 #include "engine/point_based/surface/contact_surface.hpp"
+#include "engine/point_based/surface/rectangles.hpp"
 #include "engine/undeformed/contact/curved_facet.hpp"
 #include "engine/undeformed/contact/surface_place.hpp"
 
@@ -107,33 +108,50 @@ class NodesUnderLoad {
 
   std::map<std::int32_t, PressedNode<D>> operator()() {
     for (std::size_t f = 0; f < surface_.facet.size(); ++f) {
-      if (surface_.is_free[f]) add(surface_.facet[f]);
+      if (surface_.is_free[f]) add(f);
     }
     return std::move(nodes_);
   }
 
  private:
-  void add(const std::array<std::int32_t, D>& facet) {
-    Corners<D> x;
-    for (int v = 0; v < D; ++v) x[v] = surface_.start[facet[v]];
-    Point<D> normal = undeformed::area_vector<D>(x);
-    const double whole = std::sqrt(dot<D>(normal, normal));
-    for (double& component : normal) component /= whole;
-    const std::array<LoadAtCorner<D>, D> loads = loads_on(x, normal, whole);
+  struct Facet {
+    Corners<D> corner;
+    Point<D> normal;
+    double area;
+  };
+
+  Facet facet(std::size_t number) const {
+    Facet facet;
+    for (int v = 0; v < D; ++v) facet.corner[v] = surface_.start[surface_.facet[number][v]];
+    facet.normal = undeformed::area_vector<D>(facet.corner);
+    facet.area = std::sqrt(dot<D>(facet.normal, facet.normal));
+    for (double& component : facet.normal) component /= facet.area;
+    return facet;
+  }
+
+  void add(std::size_t number) {
+    const std::array<LoadAtCorner<D>, D> loads = loads_on(number);
     for (int v = 0; v < D; ++v) {
-      if (loads[v].size > 0) add(facet[v], loads[v]);
+      if (loads[v].size > 0) add(surface_.facet[number][v], loads[v]);
     }
   }
 
-  std::array<LoadAtCorner<D>, D> loads_on(const Corners<D>& x, const Point<D>& normal,
-                                          double whole) const {
+  /// Whether the load acts on all of a facet that fills a rectangle with another one.
+  bool is_wholly_loaded(std::size_t number) const {
+    const auto [x, normal, whole] = facet(number);
+    const auto loaded =
+        loaded_part<D>(boundaries_, load_, surface_, x, normal, faces_of<D>(surface_, x, normal));
+    return dot<D>(loaded.vector, normal) > whole_facet;
+  }
+
+  std::array<LoadAtCorner<D>, D> loads_on(std::size_t number) const {
+    const auto [x, normal, whole] = facet(number);
     const auto faces = faces_of<D>(surface_, x, normal);
     undeformed::CurvedFacet<D> curved;
     if (surface_.shape != nullptr && !load_.is_traction()) {
       curved = {*surface_.shape, x, surface_.spacing};
     }
     if (!curved.is_flat() && faces.size() == 1) return loads_on_parts(x, curved);
-    constexpr double whole_facet = 1 - 1e-9;
     undeformed::LoadedPart<D> loaded =
         loaded_part<D>(boundaries_, load_, surface_, x, normal, faces);
     // So that pressures on a closed surface have no resultant.
@@ -141,13 +159,21 @@ class NodesUnderLoad {
       loaded.vector = curved.area();
       for (double& component : loaded.vector) component /= whole;
     }
+    int apex = apex_of_half(surface_, number);
+    if (apex >= 0 && !(curved.is_flat() && dot<D>(loaded.vector, normal) > whole_facet &&
+                       is_wholly_loaded(surface_.other_half[number]))) {
+      apex = -1;
+    }
+    const std::array<double, D> shares = shares_of_corners<D>(apex);
     std::array<LoadAtCorner<D>, D> loads;
     for (int v = 0; v < D; ++v) {
       LoadAtCorner<D>& load = loads[v];
-      load.size = loaded.area / D * whole;
+      const Point<D> middle =
+          apex < 0 ? undeformed::middle_of_share<D>(x, v) : middle_in_half<D>(x, apex, v);
+      load.size = loaded.area * shares[v] * whole;
       for (int a = 0; a < D; ++a) {
-        load.area[a] = whole / D * loaded.vector[a];
-        load.place[a] = load.size * undeformed::middle_of_share<D>(x, v)[a];
+        load.area[a] = whole * shares[v] * loaded.vector[a];
+        load.place[a] = load.size * middle[a];
       }
     }
     return loads;
@@ -213,6 +239,8 @@ class NodesUnderLoad {
   PressedNode<D>& node_in(std::int32_t slot) {
     return nodes_.insert({slot, {slot, number_, {}, 0, {}}}).first->second;
   }
+
+  static constexpr double whole_facet = 1 - 1e-9;
 
   const Boundaries<D>& boundaries_;
   int number_;

@@ -9,6 +9,7 @@
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/point_based/bonds/nearest_nodes.hpp"
 #include "engine/point_based/surface/node_loads_of_facets.hpp"
+#include "engine/point_based/surface/rectangles.hpp"
 #include "engine/point_based/surface/surface_lattice.hpp"
 
 namespace pliant::point_based {
@@ -59,6 +60,7 @@ class SurfaceFinder {
       for (int v = 0; v < D; ++v) corner[v] = add(piece[v].name, piece[v].place, -1);
       surface_.facet.push_back(corner);
     }
+    pair_halves<D>(surface_);
     return std::move(surface_);
   }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/point_based/forces/node_state.hpp"
+#include "tests/engine/output/temporary_folder.hpp"
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/deformations.hpp"
 #include "tests/engine/point_based/whole_runs.hpp"
