@@ -6,6 +6,7 @@
 
 #include "engine/boundaries/overhanging_bodies.hpp"
 #include "engine/case/checks/check.hpp"
+#include "engine/case/checks/hollows.hpp"
 #include "engine/case/checks/stability.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/case/checks/tools.hpp"
@@ -183,6 +184,13 @@ constexpr std::string_view error_at_reentrant_corners =
     "loads bend it there up to 15 % too far, large ones also up to 25 % too little, and vibrations "
     "gain or lose energy there";
 
+// Measured for holes in plates and for cavities, docs/decisions/0082.
+constexpr ThinBodyError errors_around_hollows[] = {
+    {5.5, "its edge moves up to 40 % too far, and stresses there are up to 37 % too small"},
+    {7, "its edge moves up to 20 % too far, and stresses there are up to 20 % too small"},
+    {10, "its edge moves up to 10 % too far, and stresses there are up to 15 % too small"},
+    {13, "stresses at its edge are up to 8 % too small"}};
+
 // Measured for blocks, docs/decisions/0079.
 constexpr std::string_view error_of_tools =
     "in this method its force is 5 to 90 % too small, most for small tools; use method = "
@@ -218,6 +226,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_thin_bodies(a_case, errors, warnings);
   if (has_loads(a_case)) warn_of_slender_bodies(a_case, error_of_slender_bodies, warnings);
   warn_of_reentrant_corners(a_case, error_at_reentrant_corners, warnings);
+  warn_of_small_hollows(a_case, errors_around_hollows, warnings);
   warn_of_resting_bodies(a_case, warnings);
   warn_of_inclined_ties(a_case, warnings);
   warn_of_round_walls(a_case, error_at_round_walls, warnings);

@@ -6,6 +6,7 @@
 
 #include "engine/boundaries/overhanging_bodies.hpp"
 #include "engine/case/checks/check.hpp"
+#include "engine/case/checks/hollows.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/geometry/plane_across.hpp"
 #include "engine/method/initial_velocity.hpp"
@@ -107,6 +108,13 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {7.5, "forces on its round parts deviate by up to 10 % where it touches something"},
       {10.5, "forces on its round parts deviate by up to 5 % where it touches something"}};
   undeformed::warn_of_round_bodies(a_case, pressed, warnings);
+  // Measured for holes in plates and for cavities, docs/decisions/0082.
+  static constexpr ThinBodyError hollows[] = {
+      {3.5, "stresses around it deviate by up to 16 % of the largest one"},
+      {4.5, "stresses around it deviate by up to 12 % of the largest one"},
+      {6.5, "stresses around it deviate by up to 10 % of the largest one"},
+      {9, "stresses around it deviate by up to 5 % of the largest one"}};
+  warn_of_small_hollows(a_case, hollows, warnings);
   // Measured for squares, discs and balls that rotate or are sheared.
   warn_of_initial_motion(a_case, {.boxes = 1, .others = 2}, warnings);
 }

@@ -17,40 +17,41 @@ namespace {
 void add_hollows(const Shape& shape, bool is_taken_away, std::vector<const Shape*>& hollows) {
   if (is_taken_away && is_round(shape)) hollows.push_back(&shape);
   for (std::size_t i = 0; i < shape.operands.size(); ++i) {
-    const bool removes = shape.kind == Shape::Kind::difference && i > 0;
+    const bool removes = shape.kind == Shape::Kind::subtract && i > 0;
     add_hollows(shape.operands[i], is_taken_away != removes, hollows);
   }
 }
 
-/// Whether a part of the surface of a hollow is one of the free surface of the body.
-bool is_free(const Shape& hollow, const Shape& surface, const std::vector<Vector>& probes,
-             double step, int dimension) {
+/// The radius of the smallest free hollow of a body [m]; infinite without one.
+double smallest_hollow(const Case& a_case, const BodyCase& body) {
   constexpr double rounding = 1e-6;
-  return std::ranges::any_of(probes, [&](const Vector& x) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  const int dimension = a_case.dimension;
+  std::vector<const Shape*> hollows;
+  add_hollows(body.geometry, false, hollows);
+  const Box<3> box = bounding_box(body.geometry);
+  const double step = step_of_probes(box, dimension);
+  if (hollows.empty() || !std::isfinite(step)) return endless;
+  const std::vector<Vector> probes = middles(box, dimension, step);
+  const std::vector<Shape> walls = attached_walls(a_case);
+  // Whether the place of the surface of the hollow nearest to x is one of the body in no wall.
+  const auto is_free_near = [&](const Shape& hollow, const Vector& x) {
     const double distance = signed_distance(hollow, x, dimension);
     if (std::abs(distance) > step) return false;
     const Vector out = outward_direction(hollow, x, dimension);
     Vector foot = x;
     for (int a = 0; a < dimension; ++a) foot[a] -= distance * out[a];
-    return std::abs(signed_distance(surface, foot, dimension)) < rounding * step;
-  });
-}
-
-/// The radius of the smallest free hollow of a body [m]; infinite without one.
-double smallest_hollow(const Case& a_case, const BodyCase& body) {
-  double smallest = std::numeric_limits<double>::infinity();
-  std::vector<const Shape*> hollows;
-  add_hollows(body.geometry, false, hollows);
-  if (hollows.empty()) return smallest;
-  const Box<3> box = bounding_box(body.geometry);
-  const double step = step_of_probes(box, a_case.dimension);
-  if (!std::isfinite(step)) return smallest;
-  const std::vector<Vector> probes = middles(box, a_case.dimension, step);
-  const Shape surface = initial_surface(a_case, body);
+    const double apart = a_case.discretisation.spacing / 2;
+    return std::abs(signed_distance(body.geometry, foot, dimension)) < rounding * step &&
+           std::ranges::all_of(walls, [&](const Shape& wall) {
+             return signed_distance(wall, foot, dimension) > apart;
+           });
+  };
+  double smallest = endless;
   for (const Shape* hollow : hollows) {
-    if (hollow->radius < smallest && is_free(*hollow, surface, probes, step, a_case.dimension)) {
-      smallest = hollow->radius;
-    }
+    const bool is_free =
+        std::ranges::any_of(probes, [&](const Vector& x) { return is_free_near(*hollow, x); });
+    if (is_free) smallest = std::min(smallest, hollow->radius);
   }
   return smallest;
 }
