@@ -176,8 +176,12 @@ TEST(curved_surfaces, walls_off_the_lattice_are_warned_of_where_bodies_have_few_
   { shape = "disc", centre = [0, 0], radius = 1 },
   { shape = "disc", centre = [0, 0], radius = 0.5 }] })";
   const auto warnings = [&](const std::string& method, double spacing, const std::string& wall) {
-    return warnings_of_method(tests::read_text(round_body(method, 2, spacing, ring) +
-                                               "[[boundary]]\nname = \"wall\"\n" + wall));
+    std::vector<std::string> found = warnings_of_method(tests::read_text(
+        round_body(method, 2, spacing, ring) + "[[boundary]]\nname = \"wall\"\n" + wall));
+    std::erase_if(found, [](const std::string& one) {
+      return one.find("a hole or a hollow") != std::string::npos;
+    });
+    return found;
   };
   for (const std::string wall :
        {"kind = \"slip_wall\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = [1, "
