@@ -158,6 +158,23 @@ void warn_of_inclined_ties(const Case& a_case, std::vector<std::string>& warning
   }
 }
 
+// Measured for cubes of two tied halves under tension, docs/decisions/0072. A periodic joint has no
+// edges along its axis.
+void warn_of_edges_of_ties(const Case& a_case, std::vector<std::string>& warnings) {
+  const auto is_tied = [](const ContactCase& contact) { return contact.law == ContactLaw::tied; };
+  if (std::ranges::none_of(a_case.contacts, is_tied)) return;
+  const auto endless = std::ranges::count(a_case.periodic.axis, true);
+  if (endless >= a_case.dimension - 1) return;
+  warnings.emplace_back(
+      a_case.dimension == 2
+          ? "where a joint of tied bodies ends at their surface, stresses are up to 15 % too "
+            "small; "
+            "take method = \"total_lagrangian\" for bodies that keep their neighbours"
+          : "along the edges of a joint of tied bodies stresses are up to 30 % too small, at its "
+            "corners up to 75 %, where it opens; take method = \"total_lagrangian\" for bodies "
+            "that keep their neighbours");
+}
+
 // Measured for plates, rings, discs and blocks under pistons with the defaults; bodies that only
 // rotate have smaller errors.
 constexpr ThinBodyError errors_of_thin_bodies[] = {
@@ -229,6 +246,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_small_hollows(a_case, errors_around_hollows, warnings);
   warn_of_resting_bodies(a_case, warnings);
   warn_of_inclined_ties(a_case, warnings);
+  warn_of_edges_of_ties(a_case, warnings);
   warn_of_round_walls(a_case, error_at_round_walls, warnings);
   warn_of_thin_walls(a_case, warnings);
   warn_of_overhanging_bodies(a_case, warnings);
