@@ -170,7 +170,7 @@ void warn_of_edges_of_ties(const Case& a_case, std::vector<std::string>& warning
           ? "where a joint of tied bodies ends at their surface, stresses are up to 15 % too "
             "small; "
             "take method = \"total_lagrangian\" for bodies that keep their neighbours"
-          : "along the edges of a joint of tied bodies stresses are up to 30 % too small, at its "
+          : "along the edges of a joint of tied bodies stresses are up to 35 % too small, at its "
             "corners up to 75 %, where it opens; take method = \"total_lagrangian\" for bodies "
             "that keep their neighbours");
 }
