@@ -167,9 +167,8 @@ void warn_of_edges_of_ties(const Case& a_case, std::vector<std::string>& warning
   if (endless >= a_case.dimension - 1) return;
   warnings.emplace_back(
       a_case.dimension == 2
-          ? "where a joint of tied bodies ends at their surface, stresses are up to 15 % too "
-            "small; "
-            "take method = \"total_lagrangian\" for bodies that keep their neighbours"
+          ? "where a joint of tied bodies ends at their surface, stresses are up to 25 % too "
+            "small; take method = \"total_lagrangian\" for bodies that keep their neighbours"
           : "along the edges of a joint of tied bodies stresses are up to 35 % too small, at its "
             "corners up to 75 %, where it opens; take method = \"total_lagrangian\" for bodies "
             "that keep their neighbours");
