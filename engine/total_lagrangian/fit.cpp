@@ -26,9 +26,8 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-constexpr double on_surface = 1e-9;  // [h] rounding errors of distances
-constexpr double layers = 3;         // over which a shift decays
-constexpr double same_face = 0.9;    // cosine between normals of a wall
+constexpr double layers = 3;       // over which a shift decays
+constexpr double same_face = 0.9;  // cosine between normals of a wall
 
 template <class T, int D>
 class WallFitter {

@@ -8,6 +8,8 @@
 /// Fits particles to walls and to the rims at which walls end on a free surface, (TL.11).
 namespace pliant::total_lagrangian {
 
+inline constexpr double on_surface = 1e-9;  ///< [h] rounding errors of distances
+
 /// The particles that move from their nodes, in the order of their slots, and the cells that are
 /// flat on a wall then.
 template <int D>

@@ -25,7 +25,6 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-constexpr double on_surface = 1e-9;  // [h] rounding errors of distances
 // Cells of a block. Large blocks share fewer cells with others, but small bodies need blocks for
 // all threads. With fewer than 640 cells, a second thread takes no time off a step. What a block
 // reads again, two planes of rows, stays in the second-level cache.

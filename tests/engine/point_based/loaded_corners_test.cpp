@@ -47,14 +47,14 @@ void expect_equal_displacements(const std::string& text) {
   }
 }
 
-// They moved by 1.063, 0.959 and 1.045 times as far: by its triangles, a rectangle of the face gave
+// They moved by 1.062, 0.959 and 1.044 times as far: by its triangles, a rectangle of the face gave
 // a third or a sixth of its load to a corner.
 TEST(loaded_corners, of_a_lattice_move_as_far_as_the_face) {
   expect_equal_displacements(
       cube("{ shape = \"box\", lower = [0, 0, 0], upper = [1, 1, 1] }", "lattice"));
 }
 
-// The end of the edge between two planes of symmetry moved by 1.046 and 1.080 times as far: the
+// The end of the edge between two planes of symmetry moved by 1.046 and 1.079 times as far: the
 // weights of its nodes were not balanced along this edge.
 TEST(loaded_corners, of_an_octree_and_of_a_mesh_do_so_too) {
   expect_equal_displacements(
