@@ -133,7 +133,7 @@ void StageWork<T, D>::advance(int block, int stage) {
 template <class T, int D>
 void StageWork<T, D>::fold() {
   for (const EnergyBudget& work : work_) add(state_.energy, work);
-  walls_.fold(particles_.body_force_impulse(), particles_.body_forces());
+  walls_.fold(particles_.body_forces());
   particles_.fold();
   results_.fold(state_.blocks);
 }

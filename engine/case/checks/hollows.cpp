@@ -7,6 +7,7 @@
 
 #include "engine/case/attached_walls.hpp"
 #include "engine/case/checks/probes.hpp"
+#include "engine/case/checks/resolution.hpp"
 #include "engine/geometry/is_round.hpp"
 
 namespace pliant {
@@ -60,18 +61,14 @@ double smallest_hollow(const Case& a_case, const BodyCase& body) {
 
 void warn_of_small_hollows(const Case& a_case, std::span<const ThinBodyError> errors,
                            std::vector<std::string>& warnings) {
-  constexpr double rounding = 0.01;
-  const double h = a_case.discretisation.spacing;
   for (const BodyCase& body : a_case.bodies) {
-    const double radius = smallest_hollow(a_case, body);
-    const auto error = std::ranges::find_if(
-        errors, [&](const ThinBodyError& one) { return radius < one.across * (1 - rounding) * h; });
-    if (error == errors.end()) continue;
-    warnings.push_back(
-        fmt::format("body `{}` has a hole or a hollow with a radius of {:.2g} spacings: {}; use a "
-                    "finer spacing "
-                    "(discretisation.spacing = {:.3g} or below)",
-                    body.name, radius / h, error->deviation, radius / errors.back().across));
+    const Resolution resolution = resolution_of(a_case, body);
+    const double radius = smallest_hollow(a_case, body), across = radius / resolution.size;
+    const ThinBodyError* error = error_at(errors, across);
+    if (error == nullptr) continue;
+    warnings.push_back(fmt::format(
+        "body `{}` has a hole or a hollow with a radius of {:.2g} {}: {}; {}", body.name, across,
+        resolution.units(), error->deviation, resolution.remedy(radius / errors.back().across)));
   }
 }
 

@@ -14,6 +14,7 @@
 #include "engine/case/checks/resolution.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
 #include "engine/geometry/climb.hpp"
+#include "engine/geometry/is_round.hpp"
 #include "engine/geometry/reentrant_corner.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
@@ -64,15 +65,12 @@ double largest(const BodyCase& body, int dimension, const F& value_at) {
 template <class Length>
 void warn_of(const Case& a_case, std::span<const ThinBodyError> errors, const Length& length,
              std::string_view what, std::vector<std::string>& warnings) {
-  constexpr double rounding = 0.01;  // including the error of the search
   const double enough = errors.back().across;
   for (const BodyCase& body : a_case.bodies) {
     const Resolution resolution = resolution_of(a_case, body);
     const double size = length(a_case, body), across = size / resolution.size;
-    const auto error = std::ranges::find_if(errors, [across](const ThinBodyError& one) {
-      return across < one.across * (1 - rounding);
-    });
-    if (error == errors.end()) continue;
+    const ThinBodyError* error = error_at(errors, across);
+    if (error == nullptr) continue;
     warnings.push_back(fmt::format("{} `{}` is {:.2g} {} {}: {}; {}", what, body.name, across,
                                    resolution.units(), what == "body" ? "thick" : "across",
                                    error->deviation, resolution.remedy(size / enough)));
@@ -85,13 +83,19 @@ double error_beside(const Shape& shape, int dimension, double h, const RoundWall
   for (const Shape& part : shape.operands) {
     largest = std::max(largest, error_beside(part, dimension, h, error));
   }
-  using enum Shape::Kind;
-  if (shape.kind != ball && shape.kind != capsule && shape.kind != cylinder) return largest;
-  const bool is_ball = shape.kind == ball && dimension == 3;
+  if (!is_round(shape)) return largest;
+  const bool is_ball = shape.kind == Shape::Kind::ball && dimension == 3;
   return (is_ball ? error.ball : error.cylinder) * std::pow(h / shape.radius, 2);
 }
 
 }  // namespace
+
+const ThinBodyError* error_at(std::span<const ThinBodyError> errors, double across) {
+  constexpr double rounding = 0.01;  // including the error of the search
+  const auto error = std::ranges::find_if(
+      errors, [across](const ThinBodyError& one) { return across < one.across * (1 - rounding); });
+  return error == errors.end() ? nullptr : &*error;
+}
 
 double thickness(const Case& a_case, const BodyCase& body) {
   const int dimension = a_case.dimension;

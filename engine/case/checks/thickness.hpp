@@ -16,6 +16,10 @@ struct ThinBodyError {
   std::string_view deviation;  ///< which result, and by how much
 };
 
+/// The error of a body that is this many spacings thick, or null; `errors` are in ascending order
+/// of `across`.
+const ThinBodyError* error_at(std::span<const ThinBodyError> errors, double across);
+
 /// The diameter of the largest ball inside a body, where walls that hold the body count as its
 /// inside. For plates, beams and shells it is the thickness between the free surfaces [m]; infinite
 /// without free surfaces.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -104,7 +105,8 @@ class NodesUnderLoad {
         number_(number),
         load_(boundaries.pressures[number]),
         body_(body),
-        surface_(body.surface) {}
+        surface_(body.surface),
+        loaded_(surface_.facet.size()) {}
 
   std::map<std::int32_t, PressedNode<D>> operator()() {
     for (std::size_t f = 0; f < surface_.facet.size(); ++f) {
@@ -136,15 +138,22 @@ class NodesUnderLoad {
     }
   }
 
-  /// Whether the load acts on all of a facet that fills a rectangle with another one.
-  bool is_wholly_loaded(std::size_t number) const {
-    const auto [x, normal, whole] = facet(number);
-    const auto loaded =
-        loaded_part<D>(boundaries_, load_, surface_, x, normal, faces_of<D>(surface_, x, normal));
-    return dot<D>(loaded.vector, normal) > whole_facet;
+  /// The loaded part of a facet; both halves of a rectangle ask for those of each other.
+  const undeformed::LoadedPart<D>& loaded_part_of(std::size_t number) {
+    std::optional<undeformed::LoadedPart<D>>& part = loaded_[number];
+    if (!part) {
+      const auto [x, normal, whole] = facet(number);
+      part =
+          loaded_part<D>(boundaries_, load_, surface_, x, normal, faces_of<D>(surface_, x, normal));
+    }
+    return *part;
   }
 
-  std::array<LoadAtCorner<D>, D> loads_on(std::size_t number) const {
+  bool is_wholly_loaded(std::size_t number) {
+    return dot<D>(loaded_part_of(number).vector, facet(number).normal) > whole_facet;
+  }
+
+  std::array<LoadAtCorner<D>, D> loads_on(std::size_t number) {
     const auto [x, normal, whole] = facet(number);
     const auto faces = faces_of<D>(surface_, x, normal);
     undeformed::CurvedFacet<D> curved;
@@ -152,15 +161,14 @@ class NodesUnderLoad {
       curved = {*surface_.shape, x, surface_.spacing};
     }
     if (!curved.is_flat() && faces.size() == 1) return loads_on_parts(x, curved);
-    undeformed::LoadedPart<D> loaded =
-        loaded_part<D>(boundaries_, load_, surface_, x, normal, faces);
+    undeformed::LoadedPart<D> loaded = loaded_part_of(number);
     // So that pressures on a closed surface have no resultant.
-    if (!curved.is_flat() && dot<D>(loaded.vector, normal) > whole_facet) {
+    if (!curved.is_flat() && is_wholly_loaded(number)) {
       loaded.vector = curved.area();
       for (double& component : loaded.vector) component /= whole;
     }
     int apex = apex_of_half(surface_, number);
-    if (apex >= 0 && !(curved.is_flat() && dot<D>(loaded.vector, normal) > whole_facet &&
+    if (apex >= 0 && !(curved.is_flat() && is_wholly_loaded(number) &&
                        is_wholly_loaded(surface_.other_half[number]))) {
       apex = -1;
     }
@@ -247,6 +255,7 @@ class NodesUnderLoad {
   const SurfacePressure<D>& load_;
   const Body<T, D>& body_;
   const BodySurface<D>& surface_;
+  std::vector<std::optional<undeformed::LoadedPart<D>>> loaded_;  ///< [facet] as far as known
   std::map<std::int32_t, PressedNode<D>> nodes_;
 };
 

@@ -7,6 +7,7 @@
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/contact/opposing_fit.hpp"
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
+#include "engine/remeshed/ghosts/present_foot.hpp"
 #include "engine/remeshed/state/resources.hpp"
 
 namespace pliant::remeshed {
@@ -78,10 +79,7 @@ template <class T, int D>
 bool ContactSearch<T, D>::may_be_in_contact(int owner, const BlockGhosts<T, D>& ghosts,
                                             std::int32_t ghost) const {
   const Body<T, D>& body = state_.bodies[owner];
-  Point<D> x = ghosts.foot[ghost];
-  for (int a = 0; a < D; ++a) {
-    x[a] += body.stage[0].get(Field::drift, a)[ghosts.slot[ghost]];
-  }
+  const Point<D> x = present_foot(body, ghosts, static_cast<std::size_t>(ghost), 0);
   const auto& contacts = contacts_of_[owner];
   return std::any_of(contacts.begin(), contacts.end(), [&](int contact) {
     const int other = other_body(contact, owner);

@@ -4,6 +4,7 @@
 
 #include "engine/remeshed/contact/contact_edges.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
+#include "engine/remeshed/ghosts/present_foot.hpp"
 #include "engine/remeshed/ghosts/wall_site.hpp"
 #include "engine/remeshed/loads/wall_work.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"

@@ -7,6 +7,7 @@
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/ghosts/lasting_correction.hpp"
+#include "engine/remeshed/ghosts/present_foot.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/remeshed/ghosts/rigid_velocity.hpp"
 #include "engine/remeshed/ghosts/wall_site.hpp"

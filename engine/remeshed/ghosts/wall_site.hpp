@@ -4,7 +4,6 @@
 
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/loads/surroundings.hpp"
-#include "engine/remeshed/runge_kutta.hpp"
 #include "engine/remeshed/state/body.hpp"
 
 namespace pliant::remeshed {
@@ -16,16 +15,6 @@ double depth_behind_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts
   double depth = 0;
   for (int a = 0; a < D; ++a) depth += (ghosts.foot[g][a] - x[a]) * ghosts.normal[g][a];
   return depth;
-}
-
-/// The present place of a ghost's foot point [m].
-template <class T, int D>
-Point<D> present_foot(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
-                      int stage) {
-  Point<D> x = ghosts.foot[g];
-  const FieldStore<T, D>& places = body.stage[drift_buffer_of(stage)];
-  for (int a = 0; a < D; ++a) x[a] += places.get(Field::drift, a)[ghosts.slot[g]];
-  return x;
 }
 
 /// x_w of (RP.114): the point of a wall that turns with whose velocity (RP.46) gives a body that

@@ -26,16 +26,9 @@ void for_each_particle(const Body<T, D>& body, int block, F&& f) {
 
 template <int D>
 void add_particle(ForceOnBlock<D>& sum, double mass, const Point<D>& x, const Point<D>& force) {
-  const Vector at = padded<D>(x), by = padded<D>(force);
   sum.mass += mass;
-  for (int a = 0; a < D; ++a) {
-    sum.first_moment[a] += mass * x[a];
-    sum.force[a] += force[a];
-  }
-  for (int c = 0; c < 3; ++c) {
-    const int a = (c + 1) % 3, b = (c + 2) % 3;
-    sum.moment[c] += at[a] * by[b] - at[b] * by[a];
-  }
+  for (int a = 0; a < D; ++a) sum.first_moment[a] += mass * x[a];
+  sum.force.add(x, force);
 }
 
 }  // namespace
@@ -102,7 +95,7 @@ void BodyForces<T, D>::apply_field(int block, int stage, const BodyForce<D>& for
     lost += mass[p] * force_of.damping * square;
   });
   const double duration = stage_weight[stage] * time_step_;
-  for (int a = 0; a < D; ++a) impulse_[block][a] += duration * sum.force[a];
+  for (int a = 0; a < D; ++a) impulse_[block][a] += duration * sum.force.force[a];
   forces_[block][stage] = sum;
   of_block_[block].body_force_work += duration * power;
   of_block_[block].damping += duration * lost;

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "engine/boundaries/wrench.hpp"
 #include "engine/method/energy_budget.hpp"
 #include "engine/method/gravity.hpp"
 #include "engine/remeshed/state/state.hpp"
@@ -37,8 +38,7 @@ template <int D>
 struct ForceOnBlock {
   double mass = 0;
   Point<D> first_moment = {};
-  Point<D> force = {};
-  Vector moment = {};  ///< in 2D z only
+  Wrench<D> force;
 };
 
 /// Gravity and damping (RP.71), and the shear of tractions (RP.107). The state that a stage writes

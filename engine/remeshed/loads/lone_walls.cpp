@@ -113,10 +113,11 @@ void LoneWalls<T, D>::end(int block, int stage) {
 // The particles of a body may have more mass together than the body, whose surface cuts their
 // cells.
 template <class T, int D>
-Point<D> LoneWalls<T, D>::impulse(const std::vector<Point<D>>& of_body_forces) const {
+Wrench<D> LoneWalls<T, D>::impulse(
+    const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces) const {
   struct OfBody {
     double mass = 0;
-    Point<D> gained = {}, by_loads = {};
+    Wrench<D> gained, by_loads;
     bool is_held = false;
   };
   std::vector<OfBody> of_body(state_.bodies.size());
@@ -125,48 +126,26 @@ Point<D> LoneWalls<T, D>::impulse(const std::vector<Point<D>>& of_body_forces) c
     OfBody& sum = of_body[state_.blocks[b].body];
     sum.mass += change.after.mass;
     sum.is_held = sum.is_held || change.is_held;
-    for (int a = 0; a < D; ++a) {
-      sum.gained[a] += change.after.momentum[a] - change.before.momentum[a] - of_body_forces[b][a];
-      sum.by_loads[a] += change.by_loads.force[a];
+    Wrench<D> gained = {change.after.momentum, change.turning_after}, by_field;
+    for (int stage = 0; stage < 4; ++stage) {
+      by_field.add(body_forces[b][stage].force, stage_weight[stage] * time_step_);
     }
+    gained.add({change.before.momentum, change.turning_before}, -1);
+    gained.add(by_field, -1);
+    sum.gained.add(gained, 1);
+    sum.by_loads.add(change.by_loads, 1);
   }
-  Point<D> impulse = {};
+  Wrench<D> impulse;
   for (std::size_t b = 0; b < of_body.size(); ++b) {
     const OfBody& sum = of_body[b];
     if (!sum.is_held) continue;
     const double mass = state_.motion_budgets[b].mass;
-    const double share = mass > 0 ? mass / sum.mass : 1;
-    for (int a = 0; a < D; ++a) impulse[a] += share * sum.gained[a] - sum.by_loads[a];
+    Wrench<D> by_walls;
+    by_walls.add(sum.gained, mass > 0 ? mass / sum.mass : 1);
+    by_walls.add(sum.by_loads, -1);
+    impulse.add(by_walls, 1);
   }
   return impulse;
-}
-
-template <class T, int D>
-Vector LoneWalls<T, D>::moment(
-    const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces) const {
-  Vector moment = {};
-  for (std::size_t body = 0; body < state_.bodies.size(); ++body) {
-    double mass = 0;
-    Vector gained = {}, by_loads = {};
-    bool is_held = false;
-    for (std::size_t b = 0; b < change_.size(); ++b) {
-      if (state_.blocks[b].body != static_cast<int>(body)) continue;
-      const Change& change = change_[b];
-      mass += change.after.mass;
-      is_held = is_held || change.is_held;
-      for (int a = 0; a < 3; ++a) {
-        gained[a] += change.turning_after[a] - change.turning_before[a];
-        by_loads[a] += change.by_loads.moment[a];
-        for (int stage = 0; stage < 4; ++stage) {
-          gained[a] -= stage_weight[stage] * time_step_ * body_forces[b][stage].moment[a];
-        }
-      }
-    }
-    if (!is_held) continue;
-    const double whole = state_.motion_budgets[body].mass, share = whole > 0 ? whole / mass : 1;
-    for (int a = 0; a < 3; ++a) moment[a] += share * gained[a] - by_loads[a];
-  }
-  return moment;
 }
 
 template class LoneWalls<double, 2>;

@@ -45,17 +45,16 @@ class LoneWalls {
   /// Reads a block before a stage, and when the stage has written its state.
   void begin(int block, int stage, const Wrench<D>& force_of_loads);
   void end(int block, int stage);
-  /// [axis] impulse of the walls on the bodies in the step [N s], with [block] that of body forces.
-  Point<D> impulse(const std::vector<Point<D>>& of_body_forces) const;
-  /// The moment of this impulse about the origin [N m s], with [block][stage] body forces.
-  Vector moment(const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces) const;
+  /// Impulse of the walls on the bodies in the step [N s], and its moment [N m s] where it is
+  /// needed, with [block][stage] body forces.
+  Wrench<D> impulse(const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces) const;
 
  private:
   /// Of a block, or of a body, in one step.
   struct Change {
     ParticleMomentum<D> before, after;
     Vector turning_before = {}, turning_after = {};  ///< angular momentum [N m s]
-    Wrench<D> by_loads;                              ///< impulse [N s], [N m s]
+    Wrench<D> by_loads;                              ///< impulse
     bool is_held = false;                            ///< whether there are ghosts of walls
   };
 

@@ -108,22 +108,24 @@ void WallImpulses<T, D>::end(int block, int stage) {
 }
 
 template <class T, int D>
-void WallImpulses<T, D>::fold(const std::vector<Point<D>>& of_body_forces,
-                              const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces) {
+void WallImpulses<T, D>::fold(const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces) {
   whole_.assign(walls(), {});
   for (std::size_t i = 0; i < impulse_.size(); ++i) {
     for (int a = 0; a < D; ++a) whole_[i % walls()][a] += impulse_[i][a];
   }
-  if (needs_momentum_) add_lone_walls(of_body_forces);
+  Wrench<D> by_momentum;
+  if (needs_momentum_) {
+    by_momentum = lone_walls_.impulse(body_forces);
+    add_lone_walls(by_momentum.force);
+  }
   for (std::size_t w = 0; w < walls(); ++w) {
     for (int a = 0; a < D; ++a) state_.wall_impulse[w].force[a] += whole_[w][a];
   }
-  if (have_moments_) add_moments(body_forces);
+  if (have_moments_) add_moments(by_momentum.moment);
 }
 
 template <class T, int D>
-void WallImpulses<T, D>::add_lone_walls(const std::vector<Point<D>>& of_body_forces) {
-  const Point<D> impulse = lone_walls_.impulse(of_body_forces);
+void WallImpulses<T, D>::add_lone_walls(const Point<D>& impulse) {
   for (int a = 0; a < D; ++a) {
     const int wall = lone_walls_.along()[a];
     if (wall >= 0) add_along(a, wall, impulse[a]);
@@ -163,15 +165,14 @@ void WallImpulses<T, D>::add_along(int axis, int wall, double impulse) {
 
 // (RP.115). The work of the centres is known; that of the rotation about them is added.
 template <class T, int D>
-void WallImpulses<T, D>::add_moments(
-    const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces) {
+void WallImpulses<T, D>::add_moments(const Vector& by_momentum) {
   for (std::size_t w = 0; w < walls(); ++w) {
     if (has_moment_[w] == 0) continue;
     WallPush<D> push;
     for (std::size_t i = w; i < push_.size(); i += walls()) push.add(push_[i]);
     Wrench<D> given = push.completed(whole_[w]);
     if (needs_momentum_ && lone_walls_.have_moment_of(static_cast<int>(w))) {
-      given.moment = lone_walls_.moment(body_forces);
+      given.moment = by_momentum;
     }
     for (int a = 0; a < 3; ++a) state_.wall_impulse[w].moment[a] += given.moment[a];
     const Wall<D>& wall = state_.boundaries.walls[w];

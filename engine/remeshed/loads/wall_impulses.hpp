@@ -29,10 +29,8 @@ class WallImpulses {
   /// Reads the momentum of a block before a stage, and when the stage has written its state.
   void begin(int block, int stage, const Wrench<D>& force_of_loads);
   void end(int block, int stage);
-  /// Adds the step to the state, with the impulses and forces of body forces in it, see
-  /// BodyForces.
-  void fold(const std::vector<Point<D>>& of_body_forces,
-            const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces);
+  /// Adds the step to the state, with [block][stage] body forces in it.
+  void fold(const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces);
 
   /// [block][wall] impulse on the bodies in the step [N s].
   const std::vector<Point<D>>& of_blocks() const { return impulse_; }
@@ -41,10 +39,10 @@ class WallImpulses {
 
  private:
   std::size_t walls() const { return state_.boundaries.walls.size(); }
-  void add_lone_walls(const std::vector<Point<D>>& of_body_forces);
+  void add_lone_walls(const Point<D>& impulse);
   void share_rest(int axis, double impulse);
   void add_along(int axis, int wall, double impulse);
-  void add_moments(const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces);
+  void add_moments(const Vector& by_momentum);
 
   State<T, D>& state_;
   std::vector<char> is_measured_;  ///< [wall] whether a measurement needs its force

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/remeshed/ghosts/present_foot.hpp"
 #include "engine/remeshed/ghosts/share_in_front_of_walls.hpp"
 #include "engine/remeshed/ghosts/wall_layer.hpp"
 #include "engine/remeshed/ghosts/wall_site.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/boundaries/rigid_motion.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
@@ -18,11 +19,8 @@ using scheduler::Phase;
 template <int D>
 void add(ForceOnBlock<D>& sum, const ForceOnBlock<D>& other) {
   sum.mass += other.mass;
-  for (int a = 0; a < D; ++a) {
-    sum.first_moment[a] += other.first_moment[a];
-    sum.force[a] += other.force[a];
-  }
-  for (int a = 0; a < 3; ++a) sum.moment[a] += other.moment[a];
+  for (int a = 0; a < D; ++a) sum.first_moment[a] += other.first_moment[a];
+  sum.force.add(other.force, 1);
 }
 
 /// Adds the impulse of a force on the particles, whose mass sum may differ from that of the body.
@@ -32,9 +30,9 @@ void add_impulse(MotionBudget<D>& budget, const ForceOnBlock<D>& on_body, double
   const double share = duration * budget.mass / on_body.mass;
   Vector centre = padded<D>(on_body.first_moment);
   for (double& component : centre) component /= on_body.mass;
-  const Vector of_centre = crossed(centre, padded<D>(on_body.force));
-  for (int a = 0; a < D; ++a) budget.momentum[a] += share * on_body.force[a];
-  for (int a = 0; a < 3; ++a) budget.spin[a] += share * (on_body.moment[a] - of_centre[a]);
+  const Vector about_centre = on_body.force.moment_about(centre);
+  for (int a = 0; a < D; ++a) budget.momentum[a] += share * on_body.force.force[a];
+  for (int a = 0; a < 3; ++a) budget.spin[a] += share * about_centre[a];
 }
 
 template <class T, int D>
@@ -154,7 +152,7 @@ void FreeMotionCorrection<T, D>::correct(int block) {
     if (body.population.kind[p] == Kind::vacant) return;
     Vector r = padded<D>(body.lattice.node(cell));
     for (int a = 0; a < D; ++a) r[a] -= by.centre[a];
-    const Vector turned = crossed(by.angular_velocity, r);
+    const Vector turned = cross(by.angular_velocity, r);
     for (int a = 0; a < D; ++a) u[a][p] += static_cast<T>(by.velocity[a] + turned[a]);
   });
 }

@@ -2,11 +2,9 @@
 
 #include <Eigen/Cholesky>
 
-namespace pliant::remeshed {
+#include "engine/boundaries/rigid_motion.hpp"
 
-Vector crossed(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+namespace pliant::remeshed {
 
 void add(MotionIntegrals& sum, const MotionIntegrals& other) {
   sum.mass += other.mass;
@@ -26,7 +24,7 @@ Vector mass_centre(const MotionIntegrals& motion) {
 }
 
 Vector spin_of(const MotionIntegrals& motion) {
-  const Vector of_centre = crossed(mass_centre(motion), motion.momentum);
+  const Vector of_centre = cross(mass_centre(motion), motion.momentum);
   Vector spin;
   for (int a = 0; a < 3; ++a) spin[a] = motion.angular_momentum[a] - of_centre[a];
   return spin;

@@ -5,9 +5,6 @@
 /// The rigid motion nearest to the motion of a body, from its integrals (RP.42), (RP.70).
 namespace pliant::remeshed {
 
-/// a x b.
-Vector crossed(const Vector& a, const Vector& b);
-
 /// Sum of the integrals of two parts of a body.
 void add(MotionIntegrals& sum, const MotionIntegrals& other);
 
