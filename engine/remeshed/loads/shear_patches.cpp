@@ -27,7 +27,7 @@ template <int D>
 using Balance = Eigen::Matrix<double, moments<D>, moments<D>>;
 
 template <int D>
-Moment<D> cross(const PlaceVector<D>& x, const PlaceVector<D>& force) {
+Moment<D> torque(const PlaceVector<D>& x, const PlaceVector<D>& force) {
   if constexpr (D == 2) {
     return Moment<D>(x[0] * force[1] - x[1] * force[0]);
   } else {
@@ -251,7 +251,7 @@ void evaluate_shear(Body<T, D>& body, int block, int stage, const BoundaryValues
       force += force_at_stage<T, D>(body, body.loaded[block][f], stage, values).shear;
     }
     const Eigen::Map<const Balance<D>> balance(patch.balance.data());
-    const Moment<D> share = -balance * cross<D>(column<D>(patch.lever), force);
+    const Moment<D> share = -balance * torque<D>(column<D>(patch.lever), force);
     const auto fields = moment_fields<D>(patch.axes);
     Square<D> turn = Square<D>::Zero();
     for (int j = 0; j < moments<D>; ++j) turn += share[j] * fields[j];
