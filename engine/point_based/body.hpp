@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,7 +38,7 @@ struct PressedNode {
   std::int32_t slot;
   std::int32_t pressure;
   Point<D> area;        ///< outwards [m^(D-1)]
-  double size;          ///< norm of the area [m^(D-1)]
+  double size;          ///< of the area, negative where other nodes bear more [m^(D-1)]
   Point<D> middle;      ///< centre of the share [m]
   Point<D> force = {};  ///< present [N]
 };
@@ -58,12 +59,21 @@ struct DegenerateNode {
   double volume;                      ///< [m^D]
 };
 
+/// The displacement u(X) = u_i + sum_j (u_j - u_i) g_j.(X - X_i) around a node i.
+template <int D>
+struct SurfaceFit {
+  std::vector<std::int32_t> slot;  ///< [neighbour]
+  std::vector<Point<D>> gradient;  ///< [neighbour] g of (PB.4) [1/m]
+};
+
 /// The undeformed surface of a body: segments (2D) or triangles (3D). Each corner moves with the
 /// node nearest to it.
 template <int D>
 struct BodySurface {
-  std::vector<Point<D>> start;                     ///< [corner] [m]
-  std::vector<std::int32_t> node;                  ///< [corner] slot
+  std::vector<Point<D>> start;     ///< [corner] [m]
+  std::vector<std::int32_t> node;  ///< [corner] slot
+  /// [slot of such a node] how corners beside the node move, (TL.15); empty with elements or cuts
+  std::map<std::int32_t, SurfaceFit<D>> fit;
   std::vector<std::array<std::int32_t, D>> facet;  ///< corners, ordered as seen from outside
   std::vector<bool> is_free;                       ///< [facet] not on a wall
   /// [facet] that fills a rectangle with it, or -1, see rectangles.hpp; empty: none does

@@ -14,6 +14,7 @@
 #include "engine/method/initial_velocity.hpp"
 #include "engine/point_based/bonds/balance_bonds.hpp"
 #include "engine/point_based/bonds/choose_neighbours.hpp"
+#include "engine/point_based/bonds/chosen_bonds.hpp"
 #include "engine/point_based/bonds/node_frequency.hpp"
 #include "engine/point_based/bonds/patch_bonds.hpp"
 #include "engine/point_based/forces/node_groups.hpp"
@@ -194,6 +195,9 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
                         Body<T, D>& body) {
   make_nodes(settings, source, nodes, boundaries, PressureForces::of_bonds, body);
   BondChoice<D> choice = choose_neighbours(settings, nodes, body, workers);
+  if (nodes.cloud.elements.empty() && !body.has_cuts()) {
+    fit_surface(ChosenBonds<D>(nodes.cloud, choice), choice.slot_of, body);
+  }
   if (parameters_of(settings).gradient == NodeGradient::patch_exact) {
     correct_weights(nodes.cloud, body, choice);
   } else if (!nodes.cloud.is_regular || choice.neighbours != nodes_around(D)) {

@@ -8,6 +8,7 @@
 #include "engine/point_based/bonds/chosen_bonds.hpp"
 #include "engine/point_based/bonds/nearest_nodes.hpp"
 #include "engine/point_based/bonds/patch_weights.hpp"
+#include "engine/point_based/surface/surface_shares.hpp"
 #include "engine/undeformed/held_directions.hpp"
 
 // Most nodes of a body on a lattice are regular: a uniform stress exerts no force on them. Only the
@@ -19,7 +20,7 @@ namespace {
 constexpr double no_force = 0.05;      // of the stress times V^((D-1)/D)
 constexpr int layers_that_change = 2;  // of nodes around those with a force
 // Larger changes of weights shorten the time step; few nodes of a lattice ask for them.
-constexpr double most_change_on_lattices = 2;
+constexpr double most_change_on_lattices = 4;
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 /// The nodes that walls hold or guide.
@@ -86,7 +87,7 @@ class Balance {
         free_(cloud.positions.size(), undeformed::all_directions<D>()),
         count_(cloud.positions.size()) {
     const WallBearings<T, D> walls(body, cloud.positions, boundaries);
-    areas_ = surface_shares(body, bonds_, [&walls](const auto& corners, const Point<D>& area) {
+    areas_ = surface_shares(body, [&walls](const auto& corners, const Point<D>& area) {
       return walls.of(corners, area);
     });
     for (const auto& [slot, free] : undeformed::held_directions(body)) {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <map>
+#include <span>
 #include <vector>
 
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/point_based/bonds/bonds.hpp"
 #include "engine/point_based/bonds/node_operator.hpp"
-#include "engine/point_based/surface/rectangles.hpp"
 
 namespace pliant::point_based {
 
@@ -39,47 +38,19 @@ class ChosenBonds {
   const BondChoice<D>& choice_;
 };
 
-/// A part of the area vector of a facet, and the node that bears it; -1: none.
-template <int D>
-struct BorneArea {
-  std::int64_t node = -1;
-  Point<D> area = {};
-};
-
-/// [node of the cloud] its share of the surface, outward [m^(D-1)]. A corner of a facet that is no
-/// node moves by (TL.15); `bearing(corners, area)` is a part of a facet that does not move so.
-template <class T, int D, class Bearing>
-std::vector<Point<D>> surface_shares(const Body<T, D>& body, const ChosenBonds<D>& bonds,
-                                     const Bearing& bearing) {
-  std::vector<Point<D>> shares(body.particles);
-  const auto add = [&shares](std::int64_t node, double weight, const Point<D>& area) {
-    for (int a = 0; a < D; ++a) shares[node][a] += weight * area[a];
-  };
-  std::map<std::int64_t, NodeOperator<D>> known;
-  for (std::size_t f = 0; f < body.surface.facet.size(); ++f) {
-    const auto& facet = body.surface.facet[f];
-    std::array<Point<D>, D> corner;
-    for (int v = 0; v < D; ++v) corner[v] = body.surface.start[facet[v]];
-    Point<D> area = undeformed::area_vector<D>(corner);
-    if (const BorneArea<D> borne = bearing(corner, area); borne.node >= 0) {
-      add(borne.node, 1, borne.area);
-      area = difference<D>(area, borne.area);
-    }
-    const auto part = shares_of_corners<D>(apex_of_half(body.surface, f));
-    for (int v = 0; v < D; ++v) {
-      const std::int64_t i = body.number[body.surface.node[facet[v]]];
-      const Point<D> from = difference<D>(corner[v], bonds.place(i));
-      add(i, part[v], area);
-      if (!known.contains(i)) known.emplace(i, bonds.gradient(i));
-      const std::vector<Point<D>>& gradient = known.at(i).gradient;
-      for (std::size_t k = 0; k < gradient.size(); ++k) {
-        const double share = part[v] * dot<D>(gradient[k], from);
-        add(bonds.neighbour(i, k), share, area);
-        add(i, -share, area);
-      }
+/// Sets how corners move that lie beside their nodes, by the present weights.
+template <class T, int D>
+void fit_surface(const ChosenBonds<D>& bonds, std::span<const std::int64_t> slot_of,
+                 Body<T, D>& body) {
+  for (const std::int32_t slot : body.surface.node) {
+    const auto [at, is_new] = body.surface.fit.insert({slot, {}});
+    if (!is_new) continue;
+    const std::int64_t node = body.number[slot];
+    at->second.gradient = bonds.gradient(node).gradient;
+    for (std::size_t k = 0; k < at->second.gradient.size(); ++k) {
+      at->second.slot.push_back(static_cast<std::int32_t>(slot_of[bonds.neighbour(node, k)]));
     }
   }
-  return shares;
 }
 
 }  // namespace pliant::point_based

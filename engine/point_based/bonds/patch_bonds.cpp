@@ -7,6 +7,7 @@
 
 #include "engine/point_based/bonds/chosen_bonds.hpp"
 #include "engine/point_based/bonds/patch_weights.hpp"
+#include "engine/point_based/surface/surface_shares.hpp"
 
 namespace pliant::point_based {
 
@@ -39,8 +40,7 @@ WeightedNodes<D> weighted_nodes(const NodeCloud<D>& cloud, const Body<T, D>& bod
   WeightedNodes<D> nodes;
   nodes.positions = cloud.positions;
   nodes.volumes = cloud.volumes;
-  nodes.areas =
-      surface_shares(body, bonds, [](const auto&, const auto&) { return BorneArea<D>{}; });
+  nodes.areas = surface_shares(body, [](const auto&, const auto&) { return BorneArea<D>{}; });
   for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
     const auto node = static_cast<std::int64_t>(i);
     nodes.weight.push_back(bonds.weights(node));

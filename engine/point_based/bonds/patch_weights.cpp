@@ -20,7 +20,7 @@ namespace {
 constexpr double small_enough = 1e-6;
 constexpr int most_steps = 20, most_iterations = 4000;
 constexpr double balanced = 0.05;
-constexpr int most_steps_of_balance = 6, iterations_of_balance = 10;
+constexpr int most_steps_of_balance = 24, iterations_of_balance = 10;
 constexpr double longest_step = 1;  // of ln c
 constexpr double few = 1e-6;        // relative to the largest eigenvalue of a block
 

@@ -94,7 +94,7 @@ void NodeLoads<T, D>::press(Body<T, D>& body, const NodeBlock& block, PressedNod
   double size = node.size;
   if (is_present) {
     const Eigen::Map<const Eigen::Matrix<double, D, 1>> area(node.area.data());
-    size *= present_area(body, block, node).norm() / area.norm();
+    if (size != 0) size *= present_area(body, block, node).norm() / area.norm();
   }
   for (int a = 0; a < D; ++a) {
     node.force[a] = size * traction[a];

@@ -78,6 +78,46 @@ bool Faces<D>::hold(const Point<D>& x) const {
 }
 
 template <int D>
+bool Faces<D>::is_on(int face, const Point<D>& x) const {
+  return std::abs(signed_distance(face_[face], padded<D>(x), D)) <= on_all_faces * spacing_;
+}
+
+template <int D>
+std::vector<int> Faces<D>::through(const Point<D>& x) const {
+  std::vector<int> faces;
+  for (int f = 0; f < static_cast<int>(face_.size()); ++f) {
+    if (is_on(f, x)) faces.push_back(f);
+  }
+  return faces;
+}
+
+template <int D>
+std::vector<int> Faces<D>::through_or_near(const Point<D>& x) const {
+  const std::vector<int> faces = through(x);
+  if (!faces.empty()) return faces;
+  int nearest = -1;
+  double shortest = spacing_ / 2;
+  for (int f = 0; f < static_cast<int>(face_.size()); ++f) {
+    const double distance = std::abs(signed_distance(face_[f], padded<D>(x), D));
+    if (distance >= shortest || !hold(onto(x, {&f, 1}))) continue;
+    shortest = distance;
+    nearest = f;
+  }
+  return nearest < 0 ? faces : std::vector<int>{nearest};
+}
+
+template <int D>
+bool Faces<D>::are_planes(std::span<const int> faces) const {
+  return std::ranges::all_of(faces,
+                             [&](int f) { return face_[f].kind == Shape::Kind::half_space; });
+}
+
+template <int D>
+bool Faces<D>::meet(const Point<D>& x, std::span<const int> faces) const {
+  return std::ranges::all_of(faces, [&](int f) { return is_on(f, x); }) && hold(x);
+}
+
+template <int D>
 Point<D> Faces<D>::onto(Point<D> x, std::span<const int> faces) const {
   bool has_moved = true;
   for (int round = 0; round < most_projections && has_moved; ++round) {
@@ -123,10 +163,7 @@ std::vector<int> Faces<D>::near(const Point<D>& x, const Point<D>& pitch) const 
     const double way = distance_between<D>(foot, x);
     if (faces.size() == best.size() && way >= shortest) continue;
     // Parallel faces never meet.
-    const bool meet = std::all_of(faces.begin(), faces.end(), [&](int f) {
-      return std::abs(signed_distance(face_[f], padded<D>(foot), D)) <= on_all_faces * spacing_;
-    });
-    if (!meet || way > nearly_half_pitch * length_of<D>(pitch) || !hold(foot)) continue;
+    if (way > nearly_half_pitch * length_of<D>(pitch) || !meet(foot, faces)) continue;
     if (!are_within_half && !is_in_cell<D>(x, pitch, foot)) continue;
     best = faces;
     shortest = way;

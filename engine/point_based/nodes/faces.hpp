@@ -28,8 +28,22 @@ class Faces {
   /// Whether `x` lies on the surface of the shape.
   bool hold(const Point<D>& x) const;
 
+  /// The faces through the point `x`.
+  std::vector<int> through(const Point<D>& x) const;
+
+  /// The faces through `x`, or else the face nearest to it, if `x` is within half of the spacing of
+  /// it and the place next to `x` on it is one of the surface.
+  std::vector<int> through_or_near(const Point<D>& x) const;
+
+  /// Whether these faces are planes.
+  bool are_planes(std::span<const int> faces) const;
+
+  /// Whether these faces meet in `x`, a point of the surface.
+  bool meet(const Point<D>& x, std::span<const int> faces) const;
+
  private:
   void collect(const Shape& shape);
+  bool is_on(int face, const Point<D>& x) const;
 
   const Shape& shape_;
   double spacing_;

@@ -22,13 +22,13 @@ std::vector<Share> shares_of_corner(const Body<T, D>& body, std::size_t corner) 
   const std::int32_t slot = body.surface.node[corner];
   const Point<D> from = difference<D>(body.surface.start[corner], body.start[slot]);
   std::vector<Share> shares = {{slot, 1}};
-  if (body.has_cuts() || std::sqrt(dot<D>(from, from)) <= at_node * body.resolution) return shares;
-  body.for_each_bond(body.block_of(slot), slot,
-                     [&](int, std::int64_t other, const Point<D>& g, double) {
-                       const double weight = dot<D>(g, from);
-                       shares.push_back({static_cast<std::int32_t>(other), weight});
-                       shares.front().weight -= weight;
-                     });
+  const auto fit = body.surface.fit.find(slot);
+  if (fit == body.surface.fit.end() || norm<D>(from) <= at_node * body.resolution) return shares;
+  for (std::size_t k = 0; k < fit->second.slot.size(); ++k) {
+    const double weight = dot<D>(fit->second.gradient[k], from);
+    shares.push_back({fit->second.slot[k], weight});
+    shares.front().weight -= weight;
+  }
   return shares;
 }
 

@@ -9,7 +9,7 @@
 namespace pliant::point_based {
 
 /// The nodes that a corner of the undeformed surface moves with, (TL.15): first the nearest node.
-/// If the corner is not at that node, the neighbours of the node follow, by its gradient (PB.4).
+/// If the corner is not at that node, the neighbours of the node follow, by its linear fit.
 /// Since blades change bonds, corners of a body with cuts move with the nearest node alone.
 template <class T, int D>
 std::vector<undeformed::Share> shares_of_corner(const Body<T, D>& body, std::size_t corner);

@@ -54,10 +54,11 @@ template <int D>
 using Corners = std::array<Point<D>, D>;
 
 template <int D>
-using Faces = std::vector<undeformed::FaceOfFacet<D>>;
+using FacesOfFacet = std::vector<undeformed::FaceOfFacet<D>>;
 
 template <int D>
-Faces<D> faces_of(const BodySurface<D>& surface, const Corners<D>& corner, const Point<D>& normal) {
+FacesOfFacet<D> faces_of(const BodySurface<D>& surface, const Corners<D>& corner,
+                         const Point<D>& normal) {
   if (surface.shape == nullptr) return {{normal}};
   return undeformed::faces_of_facet<D>(*surface.shape, undeformed::middle_of<D>(corner), normal,
                                        surface.spacing);
@@ -69,7 +70,7 @@ template <int D>
 undeformed::LoadedPart<D> loaded_part(const Boundaries<D>& boundaries,
                                       const SurfacePressure<D>& load, const BodySurface<D>& surface,
                                       const Corners<D>& corner, const Point<D>& normal,
-                                      const Faces<D>& faces) {
+                                      const FacesOfFacet<D>& faces) {
   const auto acts_at = [&](const Point<D>& x) {
     return load.acts_at(x) && !lies_on_a_wall<D>(boundaries, x, surface.spacing);
   };
@@ -95,6 +96,53 @@ struct LoadAtCorner {
       {};  ///< [a][b] integral of x_a - X_a by area_b, X the corner [m^D]
 };
 
+/// The loads at the corners of a facet on a curved surface, on the parts where `acts_at(place)` is
+/// true, (PB.62).
+template <int D, class F>
+std::array<LoadAtCorner<D>, D> loads_on_parts(const Corners<D>& x,
+                                              const undeformed::CurvedFacet<D>& curved,
+                                              F&& acts_at) {
+  std::array<LoadAtCorner<D>, D> loads;
+  for (const undeformed::CurvedPart<D>& part : curved.parts()) {
+    if (!acts_at(part.middle)) continue;
+    for (int v = 0; v < D; ++v) {
+      LoadAtCorner<D>& load = loads[v];
+      const double size = part.at[v] * norm<D>(part.area);
+      load.size += size;
+      for (int b = 0; b < D; ++b) {
+        const double area = part.at[v] * part.area[b];
+        load.area[b] += area;
+        load.place[b] += size * part.middle[b];
+        for (int a = 0; a < D; ++a) load.moment[a][b] += (part.middle[a] - x[v][a]) * area;
+      }
+    }
+  }
+  return loads;
+}
+
+/// Shares out a load at a corner to the nodes that the corner moves with: calls `give(slot, weight,
+/// load)`. Moments go to neighbours, too: shares are linear in the place.
+template <class T, int D, class F>
+void share_out(const Body<T, D>& body, std::int32_t corner, const LoadAtCorner<D>& load, F&& give) {
+  for (const undeformed::Share& carrier : shares_of_corner(body, corner)) {
+    give(carrier.slot, carrier.weight, load);
+  }
+  if (load.moment == std::array<Point<D>, D>{}) return;
+  const std::int32_t slot = body.surface.node[corner];
+  const auto fit = body.surface.fit.find(slot);
+  if (fit == body.surface.fit.end()) return;
+  for (std::size_t k = 0; k < fit->second.slot.size(); ++k) {
+    Point<D> area = {};
+    for (int a = 0; a < D; ++a) {
+      for (int b = 0; b < D; ++b) area[b] += fit->second.gradient[k][a] * load.moment[a][b];
+    }
+    LoadAtCorner<D> moved = {norm<D>(area), {}, area, {}};
+    for (int b = 0; b < D; ++b) moved.place[b] = moved.size / load.size * load.place[b];
+    give(fit->second.slot[k], 1, moved);
+    give(slot, -1, moved);
+  }
+}
+
 /// The shares of nodes in the facets under one load: area vectors by the corners, centres by the
 /// loaded parts. Pressures act on all nodes that carry a corner, (PB.51).
 template <class T, int D>
@@ -111,6 +159,9 @@ class NodesUnderLoad {
   std::map<std::int32_t, PressedNode<D>> operator()() {
     for (std::size_t f = 0; f < surface_.facet.size(); ++f) {
       if (surface_.is_free[f]) add(f);
+    }
+    for (auto& [slot, node] : nodes_) {
+      for (double& x : node.middle) x /= around_[slot] > 0 ? around_[slot] : 1;
     }
     return std::move(nodes_);
   }
@@ -134,7 +185,11 @@ class NodesUnderLoad {
   void add(std::size_t number) {
     const std::array<LoadAtCorner<D>, D> loads = loads_on(number);
     for (int v = 0; v < D; ++v) {
-      if (loads[v].size > 0) add(surface_.facet[number][v], loads[v]);
+      if (loads[v].size == 0) continue;
+      share_out(body_, surface_.facet[number][v], loads[v],
+                [this](std::int32_t slot, double weight, const LoadAtCorner<D>& load) {
+                  give(slot, weight, load);
+                });
     }
   }
 
@@ -160,7 +215,11 @@ class NodesUnderLoad {
     if (surface_.shape != nullptr && !load_.is_traction()) {
       curved = {*surface_.shape, x, surface_.spacing};
     }
-    if (!curved.is_flat() && faces.size() == 1) return loads_on_parts(x, curved);
+    if (!curved.is_flat() && faces.size() == 1) {
+      return loads_on_parts<D>(x, curved, [this](const Point<D>& place) {
+        return load_.acts_at(place) && !lies_on_a_wall<D>(boundaries_, place, surface_.spacing);
+      });
+    }
     undeformed::LoadedPart<D> loaded = loaded_part_of(number);
     // So that pressures on a closed surface have no resultant.
     if (!curved.is_flat() && is_wholly_loaded(number)) {
@@ -187,61 +246,14 @@ class NodesUnderLoad {
     return loads;
   }
 
-  // (PB.62)
-  std::array<LoadAtCorner<D>, D> loads_on_parts(const Corners<D>& x,
-                                                const undeformed::CurvedFacet<D>& curved) const {
-    std::array<LoadAtCorner<D>, D> loads;
-    for (const undeformed::CurvedPart<D>& part : curved.parts()) {
-      if (!load_.acts_at(part.middle)) continue;
-      if (lies_on_a_wall<D>(boundaries_, part.middle, surface_.spacing)) continue;
-      for (int v = 0; v < D; ++v) {
-        LoadAtCorner<D>& load = loads[v];
-        const double size = part.at[v] * std::sqrt(dot<D>(part.area, part.area));
-        load.size += size;
-        for (int b = 0; b < D; ++b) {
-          const double area = part.at[v] * part.area[b];
-          load.area[b] += area;
-          load.place[b] += size * part.middle[b];
-          for (int a = 0; a < D; ++a) load.moment[a][b] += (part.middle[a] - x[v][a]) * area;
-        }
-      }
-    }
-    return loads;
-  }
-
-  void add(std::int32_t corner, const LoadAtCorner<D>& load) {
-    if (load_.is_traction()) return give(surface_.node[corner], 1, load);
-    for (const undeformed::Share& carrier : shares_of_corner(body_, corner)) {
-      give(carrier.slot, carrier.weight, load);
-    }
-    if (load.moment != std::array<Point<D>, D>{} && !body_.has_cuts())
-      add_moment(surface_.node[corner], load);
-  }
-
   void give(std::int32_t slot, double weight, const LoadAtCorner<D>& load) {
     PressedNode<D>& node = node_in(slot);
-    node.size += std::abs(weight) * load.size;
+    node.size += weight * load.size;
+    around_[slot] += std::abs(weight) * load.size;
     for (int a = 0; a < D; ++a) {
       node.area[a] += weight * load.area[a];
       node.middle[a] += std::abs(weight) * load.place[a];
     }
-  }
-
-  // Shares are linear in the place.
-  void add_moment(std::int32_t slot, const LoadAtCorner<D>& load) {
-    body_.for_each_bond(body_.block_of(slot), slot,
-                        [&](int, std::int64_t other, const Point<D>& g, double) {
-                          Point<D> area = {};
-                          for (int a = 0; a < D; ++a) {
-                            for (int b = 0; b < D; ++b) area[b] += g[a] * load.moment[a][b];
-                          }
-                          LoadAtCorner<D> moved = {std::sqrt(dot<D>(area, area)), {}, area, {}};
-                          for (int b = 0; b < D; ++b) {
-                            moved.place[b] = moved.size / load.size * load.place[b];
-                          }
-                          give(static_cast<std::int32_t>(other), 1, moved);
-                          give(slot, -1, moved);
-                        });
   }
 
   PressedNode<D>& node_in(std::int32_t slot) {
@@ -257,6 +269,7 @@ class NodesUnderLoad {
   const BodySurface<D>& surface_;
   std::vector<std::optional<undeformed::LoadedPart<D>>> loaded_;  ///< [facet] as far as known
   std::map<std::int32_t, PressedNode<D>> nodes_;
+  std::map<std::int32_t, double> around_;  ///< sums of the sizes of shares of both signs [m^(D-1)]
 };
 
 }  // namespace pliant::point_based

@@ -10,6 +10,7 @@
 #include "engine/point_based/bonds/nearest_nodes.hpp"
 #include "engine/point_based/surface/node_loads_of_facets.hpp"
 #include "engine/point_based/surface/rectangles.hpp"
+#include "engine/point_based/surface/sharp_edges.hpp"
 #include "engine/point_based/surface/surface_lattice.hpp"
 
 namespace pliant::point_based {
@@ -52,7 +53,7 @@ class SurfaceFinder {
   }
 
   // Distances to meshes are expensive, and edges of meshes are seldom as sharp as those of boxes.
-  BodySurface<D> of_shape(const Shape& shape) {
+  BodySurface<D> of_shape(const Shape& shape, bool has_cuts) {
     if (!contains_mesh(shape)) surface_.shape = &shape;
     surface_.spacing = spacing_;
     for (const auto& piece : SurfaceLattice<D>(shape, spacing_).facets()) {
@@ -60,6 +61,8 @@ class SurfaceFinder {
       for (int v = 0; v < D; ++v) corner[v] = add(piece[v].name, piece[v].place, -1);
       surface_.facet.push_back(corner);
     }
+    // Cuts divide the simplices that these facets bound.
+    if (surface_.shape != nullptr && !has_cuts) sharpen_edges<D>(shape, surface_);
     pair_halves<D>(surface_);
     return std::move(surface_);
   }
@@ -101,7 +104,6 @@ void make_loads(const Boundaries<D>& boundaries, Body<T, D>& body) {
     std::size_t b = 0;
     for (auto& [slot, node] : NodesUnderLoad<T, D>(boundaries, k, body)()) {
       while (slot >= body.blocks[b].first + body.blocks[b].count) ++b;
-      for (double& x : node.middle) x /= node.size > 0 ? node.size : 1;
       body.pressed[b].push_back(node);
     }
   }
@@ -111,7 +113,8 @@ template <class T, int D>
 void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
                   const Boundaries<D>& boundaries, Body<T, D>& body) {
   SurfaceFinder<D> finder(cloud, spacing);
-  body.surface = cloud.elements.empty() ? finder.of_shape(shape) : finder.of_elements();
+  body.surface =
+      cloud.elements.empty() ? finder.of_shape(shape, body.has_cuts()) : finder.of_elements();
   std::vector<std::int32_t> slot_of(cloud.positions.size());
   for (std::int64_t s = 0; s < body.slots; ++s) {
     if (body.number[s] >= 0) slot_of[body.number[s]] = static_cast<std::int32_t>(s);

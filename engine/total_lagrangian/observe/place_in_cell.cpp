@@ -25,7 +25,8 @@ PlaceInCell<D> on_lattice(const Body<T, D>& body, const Point<D>& x) {
   return place;
 }
 
-// Newton's method for the place in a cell whose corners have moved.
+// Newton's method for the place in a cell whose corners have moved. It finds none outside a twisted
+// cell.
 template <class T, int D>
 std::optional<PlaceInCell<D>> in_cell(const Body<T, D>& body, const Cell<D>& cell,
                                       const Point<D>& x) {
@@ -38,7 +39,8 @@ std::optional<PlaceInCell<D>> in_cell(const Body<T, D>& body, const Cell<D>& cel
   }
   PlaceInCell<D> place{cell, {}};
   place.at.fill(0.5);
-  for (int k = 0; k < iterations; ++k) {
+  bool is_found = false;
+  for (int k = 0; k < iterations && !is_found; ++k) {
     Vec rest = Eigen::Map<const Vec>(x.data());
     Eigen::Matrix<double, D, D> slope = Eigen::Matrix<double, D, D>::Zero();
     for (int c = 0; c < (1 << D); ++c) {
@@ -52,11 +54,11 @@ std::optional<PlaceInCell<D>> in_cell(const Body<T, D>& body, const Cell<D>& cel
     if (slope.determinant() == 0) return std::nullopt;
     const Vec change = slope.inverse() * rest;
     for (int a = 0; a < D; ++a) place.at[a] += change[a];
-    if (change.norm() < tolerance) break;
+    is_found = change.norm() < tolerance;
   }
   const bool is_inside =
       std::ranges::all_of(place.at, [](double s) { return s >= -tolerance && s <= 1 + tolerance; });
-  return is_inside ? std::optional(place) : std::nullopt;
+  return is_found && is_inside ? std::optional(place) : std::nullopt;
 }
 
 template <int D>

@@ -203,7 +203,8 @@ CoreErrors errors_around_a_core(const std::string& method, int dimension, int ac
       "1\ngeometry = { shape = \"difference\", of = [{ shape = \"box\", lower = " +
       (dimension == 2 ? "[-9, -9], upper = [9, 9]" : "[-9, -9, -9], upper = [9, 9, 9]") + " }, " +
       ball(dimension, 0.75) + "] }\n";
-  const std::vector<double> angles = {0, std::atan2(0.6, 0.8), std::numbers::pi / 4};
+  std::vector<double> angles;
+  for (int k = 0; k <= 7; ++k) angles.push_back(k * std::numbers::pi / 28);
   for (const double angle : angles) {
     text += displacement_at(named("near", angle), dimension, 0.5 + h, angle) +
             displacement_at(named("middle", angle), dimension, 0.75, angle);
@@ -224,7 +225,8 @@ CoreErrors errors_around_a_core(const std::string& method, int dimension, int ac
   return errors;
 }
 
-// A spacing outside the core, displacements were wrong by up to 60 %.
+// A spacing outside the core, displacements were wrong by up to 60 %. With 12 across, in the total
+// Lagrangian method, a point there was found in a twisted cell inside the core, and did not move.
 TEST(inclined_walls, a_core_in_a_ring_or_ball_holds_it_where_it_is) {
   for (const std::string method : {"total_lagrangian", "point_based"}) {
     for (const auto& [dimension, across] : {std::pair{2, 8}, std::pair{2, 12}, std::pair{3, 5}}) {
@@ -233,7 +235,8 @@ TEST(inclined_walls, a_core_in_a_ring_or_ball_holds_it_where_it_is) {
         SCOPED_TRACE(fmt::format("{} {}D {} {}", method, dimension, across, kind));
         const CoreErrors errors = errors_around_a_core(method, dimension, across, kind);
         EXPECT_LT(errors.near, method == "point_based" ? 0.12 : 0.05);
-        EXPECT_LT(errors.middle, dimension == 2 ? 0.006 : 0.025);
+        const bool guides_points = method == "point_based" && kind == "slip_wall" && across == 8;
+        EXPECT_LT(errors.middle, dimension == 3 ? 0.02 : guides_points ? 0.025 : 0.006);
       }
     }
   }

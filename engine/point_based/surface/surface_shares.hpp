@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/point_based/surface/node_loads_of_facets.hpp"
+
+namespace pliant::point_based {
+
+/// A part of the area vector of a facet, and the node that bears it; -1: none.
+template <int D>
+struct BorneArea {
+  std::int64_t node = -1;
+  Point<D> area = {};
+};
+
+/// Whether a facet cuts off no edge of the body.
+template <int D>
+bool has_one_face(const BodySurface<D>& surface, const Corners<D>& corner) {
+  Point<D> normal = undeformed::area_vector<D>(corner);
+  const double area = norm<D>(normal);
+  for (double& component : normal) component /= area;
+  return faces_of<D>(surface, corner, normal).size() == 1;
+}
+
+/// [node of the cloud] its share of the surface, outward [m^(D-1)]: that of a pressure on all of
+/// it. `bearing(corners, area)` is a part of a flat facet that does not move with its corners.
+template <class T, int D, class Bearing>
+std::vector<Point<D>> surface_shares(const Body<T, D>& body, const Bearing& bearing) {
+  std::vector<Point<D>> shares(body.particles);
+  const auto add = [&](std::int64_t node, double weight, const Point<D>& area) {
+    for (int a = 0; a < D; ++a) shares[node][a] += weight * area[a];
+  };
+  const BodySurface<D>& surface = body.surface;
+  for (std::size_t f = 0; f < surface.facet.size(); ++f) {
+    Corners<D> corner;
+    for (int v = 0; v < D; ++v) corner[v] = surface.start[surface.facet[f][v]];
+    Point<D> area = undeformed::area_vector<D>(corner);
+    const BorneArea<D> borne = bearing(corner, area);
+    if (borne.node >= 0) {
+      add(borne.node, 1, borne.area);
+      area = difference<D>(area, borne.area);
+    }
+    undeformed::CurvedFacet<D> curved;
+    if (surface.shape != nullptr && borne.node < 0) {
+      curved = {*surface.shape, corner, surface.spacing};
+    }
+    std::array<LoadAtCorner<D>, D> loads;
+    if (!curved.is_flat() && has_one_face<D>(surface, corner)) {
+      loads = loads_on_parts<D>(corner, curved, [](const Point<D>&) { return true; });
+    } else {
+      if (!curved.is_flat()) area = curved.area();
+      const auto part = shares_of_corners<D>(apex_of_half(surface, f));
+      for (int v = 0; v < D; ++v) {
+        for (int a = 0; a < D; ++a) loads[v].area[a] = part[v] * area[a];
+      }
+    }
+    for (int v = 0; v < D; ++v) {
+      share_out(body, surface.facet[f][v], loads[v],
+                [&](std::int32_t slot, double weight, const LoadAtCorner<D>& load) {
+                  add(body.number[slot], weight, load.area);
+                });
+    }
+  }
+  return shares;
+}
+
+}  // namespace pliant::point_based
