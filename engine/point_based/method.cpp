@@ -158,15 +158,15 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {4.5, "forces on its round parts deviate by up to 40 % where it touches something"},
       {5.5, "forces on its round parts deviate by up to 27 % where it touches something"},
       {7.5, "forces on its round parts deviate by up to 17 % where it touches something"},
-      {9.5, "forces on its round parts deviate by up to 9 % where it touches something"},
+      {9.5, "forces on its round parts deviate by up to 10 % where it touches something"},
       {12.5, "forces on its round parts deviate by up to 6 % where it touches something"}};
   undeformed::warn_of_round_bodies(a_case, pressed, warnings);
   // Measured for holes in plates and for cavities, docs/decisions/0082.
   static constexpr ThinBodyError hollows[] = {
-      {3.5, "stresses around it deviate by up to 19 % of the largest one"},
-      {4.5, "stresses around it deviate by up to 17 % of the largest one"},
-      {6.5, "stresses around it deviate by up to 13 % of the largest one"},
-      {9, "stresses around it deviate by up to 10 % of the largest one"}};
+      {3.5, "stresses around it deviate by up to 30 % of the largest one"},
+      {4.5, "stresses around it deviate by up to 20 % of the largest one"},
+      {6.5, "stresses around it deviate by up to 15 % of the largest one"},
+      {9, "stresses around it deviate by up to 11 % of the largest one"}};
   warn_of_small_hollows(a_case, hollows, warnings);
   // Measured for trapezoids, and discs and balls held by a cap, docs/decisions/0078.
   static constexpr ThinBodyError held_by_a_cap[] = {

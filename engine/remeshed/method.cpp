@@ -7,6 +7,7 @@
 #include "engine/boundaries/overhanging_bodies.hpp"
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/hollows.hpp"
+#include "engine/case/checks/measured_edges.hpp"
 #include "engine/case/checks/stability.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/case/checks/tools.hpp"
@@ -207,6 +208,11 @@ constexpr ThinBodyError errors_around_hollows[] = {
     {10, "its edge moves up to 10 % too far, and stresses there are up to 15 % too small"},
     {13, "stresses at its edge are up to 8 % too small"}};
 
+// Measured for turned cubes, docs/decisions/0083.
+constexpr std::string_view error_at_inclined_edges =
+    "there displacements deviate by up to 28 % and stresses by up to 21 % of the largest ones in "
+    "this method";
+
 // Measured for blocks, docs/decisions/0079.
 constexpr std::string_view error_of_tools =
     "in this method its force is 5 to 90 % too small, most for small tools; use method = "
@@ -243,6 +249,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   if (has_loads(a_case)) warn_of_slender_bodies(a_case, error_of_slender_bodies, warnings);
   warn_of_reentrant_corners(a_case, error_at_reentrant_corners, warnings);
   warn_of_small_hollows(a_case, errors_around_hollows, warnings);
+  if (a_case.dimension == 3) warn_of_measured_edges(a_case, error_at_inclined_edges, warnings);
   warn_of_resting_bodies(a_case, warnings);
   warn_of_inclined_ties(a_case, warnings);
   warn_of_edges_of_ties(a_case, warnings);

@@ -51,7 +51,10 @@ class Watch {
   std::string judge_number(const Solver& solver, bool last) const;
   std::string judge_loss() const;
   std::string judge_rest(const Solver& solver, bool last) const;
+  /// Mean strain of the bodies.
+  double strain() const;
   std::string judge_slow_load(const Solver& solver) const;
+  std::string judge_linear_law() const;
   std::string judge_damping(const Solver& solver) const;
   /// Spurious energy of bodies at rest from rounding [J].
   double rounding_energy() const;

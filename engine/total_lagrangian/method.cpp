@@ -7,6 +7,7 @@
 #include "engine/boundaries/overhanging_bodies.hpp"
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/hollows.hpp"
+#include "engine/case/checks/measured_edges.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/geometry/plane_across.hpp"
 #include "engine/method/initial_velocity.hpp"
@@ -115,6 +116,11 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {6.5, "stresses around it deviate by up to 10 % of the largest one"},
       {9, "stresses around it deviate by up to 5 % of the largest one"}};
   warn_of_small_hollows(a_case, hollows, warnings);
+  // Measured for turned blocks, docs/decisions/0083.
+  warn_of_measured_edges(a_case,
+                         "there stresses deviate by up to 50 % and displacements by up to 14 % of "
+                         "the largest ones in this method",
+                         warnings);
   // Measured for squares, discs and balls that rotate or are sheared.
   warn_of_initial_motion(a_case, {.boxes = 1, .others = 2}, warnings);
 }

@@ -183,6 +183,26 @@ TEST(watch, names_the_method_for_slow_loads_of_remeshed_bodies) {
   EXPECT_EQ(said_of_a_block_squeezed_in(2, "total_lagrangian"), "");
 }
 
+TEST(watch, tells_of_linear_materials_that_are_neo_hookean_at_large_strains) {
+  const auto said = [](const std::string& method, double part) {
+    return said_after(
+        1, fmt::format("method = \"{}\"\ndimension = 2\ndiscretisation = {{ spacing = 0.125 }}\n"
+                       "time = {{ end = 1 }}\n[[body]]\nname = \"block\"\nmaterial = {{ model = "
+                       "\"linear\", youngs_modulus = 100, poissons_ratio = 0.3, density = 1 }}\n"
+                       "geometry = {{ shape = \"box\", lower = [0, 0], upper = [1, 1] }}\n"
+                       "[[boundary]]\nname = \"floor\"\nkind = \"slip_wall\"\ngeometry = {{ shape "
+                       "= \"half_space\", point = [0, 0], normal = [0, 1] }}\n"
+                       "[[boundary]]\nname = \"plate\"\nkind = \"slip_wall\"\ndisplacement = "
+                       "[0, \"-{}*t\"]\ngeometry = {{ shape = \"half_space\", point = [0, 1], "
+                       "normal = [0, -1] }}\n",
+                       method, part));
+  };
+  EXPECT_NE(said("total_lagrangian", 0.2).find("by up to 13 %"), std::string::npos)
+      << said("total_lagrangian", 0.2);
+  EXPECT_NE(said("point_based", 0.2).find("linear materials are neo-Hookean"), std::string::npos);
+  EXPECT_EQ(said("total_lagrangian", 0.05), "");
+}
+
 // A cantilever that sinks under its weight for this time; its slowest period is 12 s.
 std::string said_of_a_cantilever_after(double time, const std::string& damping) {
   const std::string text = fmt::format(
