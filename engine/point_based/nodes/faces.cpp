@@ -93,7 +93,7 @@ std::vector<int> Faces<D>::through(const Point<D>& x) const {
 
 template <int D>
 std::vector<int> Faces<D>::through_or_near(const Point<D>& x) const {
-  const std::vector<int> faces = through(x);
+  std::vector<int> faces = through(x);
   if (!faces.empty()) return faces;
   int nearest = -1;
   double shortest = spacing_ / 2;
@@ -103,7 +103,8 @@ std::vector<int> Faces<D>::through_or_near(const Point<D>& x) const {
     shortest = distance;
     nearest = f;
   }
-  return nearest < 0 ? faces : std::vector<int>{nearest};
+  if (nearest >= 0) faces.push_back(nearest);
+  return faces;
 }
 
 template <int D>
