@@ -48,7 +48,13 @@ Footprint footprint(const Case& a_case, const BodyCase& body) {
         sizeof(double) * components * (static_cast<double>(body.prony_shear.size()) + 1);
   }
   // Measured in cases/edge_cut and cases/block_cut: kept gradients, simplices, crossed bonds.
-  if (has_cuts(a_case, body)) footprint.bytes_per_particle += dimension == 2 ? 530 : 860;
+  if (has_cuts(a_case, body)) {
+    footprint.bytes_per_particle += dimension == 2 ? 530 : 860;
+  } else if (!has_elements(a_case, body)) {
+    // Measured with two spheres: fits around the nodes of the surface.
+    constexpr double bytes_per_fit = 1900;
+    footprint.bytes_per_particle += bytes_per_fit * corners_of_node(a_case, body);
+  }
   // Measured with discs and spheres: places, shares, patches, lists.
   constexpr double bytes_per_corner = 2500;
   if (is_in_contact(a_case, body)) {

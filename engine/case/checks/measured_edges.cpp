@@ -68,24 +68,23 @@ void warn_of_measured_edges(const Case& a_case, std::string_view deviation,
                             std::vector<std::string>& warnings) {
   for (std::size_t b = 0; b < a_case.bodies.size(); ++b) {
     const BodyCase& body = a_case.bodies[b];
-    std::string first;
-    int others = -1;
+    std::vector<std::string> names;
     for (const MeasurementCase& measurement : a_case.measurements) {
       if (measurement.body != static_cast<int>(b) || !is_at_a_point(measurement)) continue;
-      if (!is_at_an_inclined_edge(body.geometry, measurement.point, a_case.dimension,
-                                  a_case.discretisation.spacing)) {
-        continue;
+      if (is_at_an_inclined_edge(body.geometry, measurement.point, a_case.dimension,
+                                 a_case.discretisation.spacing)) {
+        names.push_back(measurement.name);
       }
-      if (++others == 0) first = measurement.name;
     }
-    if (others < 0) continue;
-    const std::string more = others == 0   ? "is"
-                             : others == 1 ? "and another measurement are"
-                                           : fmt::format("and {} other measurements are", others);
+    if (names.empty()) continue;
+    const std::string more = names.size() == 1 ? "is"
+                             : names.size() == 2
+                                 ? fmt::format("and `{}` are", names[1])
+                                 : fmt::format("and {} other measurements are", names.size() - 1);
     warnings.push_back(fmt::format(
         "`{}` {} taken within a spacing of an edge of body `{}` at an angle to the axes: {}; turn "
         "the case so that the edges of the body lie along the axes, or measure inside the body",
-        first, more, body.name, deviation));
+        names[0], more, body.name, deviation));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 
 namespace pliant::point_based {
@@ -92,10 +93,8 @@ void NodeLoads<T, D>::press(Body<T, D>& body, const NodeBlock& block, PressedNod
   }
   const Point<D> traction = values_.traction_at(node.pressure, x);
   double size = node.size;
-  if (is_present) {
-    const Eigen::Map<const Eigen::Matrix<double, D, 1>> area(node.area.data());
-    if (size != 0) size *= present_area(body, block, node).norm() / area.norm();
-  }
+  const double undeformed = norm<D>(node.area);  // 0 between opposite faces
+  if (is_present && undeformed > 0) size *= present_area(body, block, node).norm() / undeformed;
   for (int a = 0; a < D; ++a) {
     node.force[a] = size * traction[a];
     body.traction[a][node.slot] += static_cast<T>(node.force[a]);
