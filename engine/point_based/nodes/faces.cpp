@@ -6,6 +6,7 @@
 
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/point_algebra.hpp"
 
 namespace pliant::point_based {
 
@@ -15,20 +16,6 @@ constexpr double nearly_half_pitch = 0.5 + 1e-9;
 constexpr double on_one_face = 1e-9, on_all_faces = 1e-6;  // [h]
 constexpr int most_projections = 50;                       // onto faces that are not perpendicular
 constexpr std::size_t most_faces = 6;                      // near one point
-
-template <int D>
-double length_of(const Point<D>& x) {
-  double square = 0;
-  for (const double component : x) square += component * component;
-  return std::sqrt(square);
-}
-
-template <int D>
-double distance_between(const Point<D>& x, const Point<D>& y) {
-  Point<D> apart;
-  for (int a = 0; a < D; ++a) apart[a] = x[a] - y[a];
-  return length_of<D>(apart);
-}
 
 /// Whether `y` is in the cell of the lattice point `x`.
 template <int D>
@@ -140,16 +127,16 @@ std::vector<int> Faces<D>::near(const Point<D>& x, const Point<D>& pitch) const 
   std::vector<bool> is_within_half;  // of the pitch along the normal; others only cut the cell of x
   for (int f = 0; f < static_cast<int>(face_.size()) && close.size() < most_faces; ++f) {
     const double distance = std::abs(signed_distance(face_[f], padded<D>(x), D));
-    if (distance > length_of<D>(pitch)) continue;
+    if (distance > norm<D>(pitch)) continue;
     Point<D> along = direction_at<D>(face_[f], x);
     double side = 0;
     for (int a = 0; a < D; ++a) side += std::abs(along[a] *= pitch[a]);
     if (distance > nearly_half_pitch * side) continue;
     close.push_back(f);
-    is_within_half.push_back(distance <= nearly_half_pitch * length_of<D>(along));
+    is_within_half.push_back(distance <= nearly_half_pitch * norm<D>(along));
   }
   std::vector<int> best;
-  double shortest = nearly_half_pitch * length_of<D>(pitch);
+  double shortest = nearly_half_pitch * norm<D>(pitch);
   for (unsigned set = 1; set < 1U << close.size(); ++set) {
     if (static_cast<std::size_t>(std::popcount(set)) < best.size()) continue;
     std::vector<int> faces;
@@ -161,10 +148,10 @@ std::vector<int> Faces<D>::near(const Point<D>& x, const Point<D>& pitch) const 
     }
     if (faces.size() == 1 && !are_within_half) continue;
     const Point<D> foot = onto(x, faces);
-    const double way = distance_between<D>(foot, x);
+    const double way = norm<D>(difference<D>(foot, x));
     if (faces.size() == best.size() && way >= shortest) continue;
     // Parallel faces never meet.
-    if (way > nearly_half_pitch * length_of<D>(pitch) || !meet(foot, faces)) continue;
+    if (way > nearly_half_pitch * norm<D>(pitch) || !meet(foot, faces)) continue;
     if (!are_within_half && !is_in_cell<D>(x, pitch, foot)) continue;
     best = faces;
     shortest = way;

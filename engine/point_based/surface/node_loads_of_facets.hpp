@@ -54,6 +54,25 @@ template <int D>
 using Corners = std::array<Point<D>, D>;
 
 template <int D>
+struct PlaneFacet {
+  Corners<D> corner;
+  Point<D> vector;  ///< area vector [m^(D-1)]
+  Point<D> normal;
+  double area;
+};
+
+template <int D>
+PlaneFacet<D> facet_of(const BodySurface<D>& surface, std::size_t number) {
+  PlaneFacet<D> facet;
+  for (int v = 0; v < D; ++v) facet.corner[v] = surface.start[surface.facet[number][v]];
+  facet.vector = undeformed::area_vector<D>(facet.corner);
+  facet.area = norm<D>(facet.vector);
+  facet.normal = facet.vector;
+  for (double& component : facet.normal) component /= facet.area;
+  return facet;
+}
+
+template <int D>
 using FacesOfFacet = std::vector<undeformed::FaceOfFacet<D>>;
 
 template <int D>
@@ -167,21 +186,6 @@ class NodesUnderLoad {
   }
 
  private:
-  struct Facet {
-    Corners<D> corner;
-    Point<D> normal;
-    double area;
-  };
-
-  Facet facet(std::size_t number) const {
-    Facet facet;
-    for (int v = 0; v < D; ++v) facet.corner[v] = surface_.start[surface_.facet[number][v]];
-    facet.normal = undeformed::area_vector<D>(facet.corner);
-    facet.area = std::sqrt(dot<D>(facet.normal, facet.normal));
-    for (double& component : facet.normal) component /= facet.area;
-    return facet;
-  }
-
   void add(std::size_t number) {
     const std::array<LoadAtCorner<D>, D> loads = loads_on(number);
     for (int v = 0; v < D; ++v) {
@@ -197,7 +201,7 @@ class NodesUnderLoad {
   const undeformed::LoadedPart<D>& loaded_part_of(std::size_t number) {
     std::optional<undeformed::LoadedPart<D>>& part = loaded_[number];
     if (!part) {
-      const auto [x, normal, whole] = facet(number);
+      const auto [x, vector, normal, whole] = facet_of<D>(surface_, number);
       part =
           loaded_part<D>(boundaries_, load_, surface_, x, normal, faces_of<D>(surface_, x, normal));
     }
@@ -205,11 +209,12 @@ class NodesUnderLoad {
   }
 
   bool is_wholly_loaded(std::size_t number) {
-    return dot<D>(loaded_part_of(number).vector, facet(number).normal) > whole_facet;
+    return dot<D>(loaded_part_of(number).vector, facet_of<D>(surface_, number).normal) >
+           whole_facet;
   }
 
   std::array<LoadAtCorner<D>, D> loads_on(std::size_t number) {
-    const auto [x, normal, whole] = facet(number);
+    const auto [x, vector, normal, whole] = facet_of<D>(surface_, number);
     const auto faces = faces_of<D>(surface_, x, normal);
     undeformed::CurvedFacet<D> curved;
     if (surface_.shape != nullptr && !load_.is_traction()) {

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/point_based/nodes/faces.hpp"
-#include "engine/undeformed/body.hpp"
+#include "engine/point_based/surface/surface_lattice.hpp"
 
 // Corners of facets lie where lines of the lattice leave the body, so that facets cut off its
 // edges:
@@ -117,12 +116,10 @@ class EdgeSharpener {
   }
 
   void drop_flat_facets() {
-    constexpr double smallest_area = 1e-9;  // [h^(D-1)]
     std::erase_if(surface_.facet, [&](const auto& facet) {
       std::array<Point<D>, D> x;
       for (int v = 0; v < D; ++v) x[v] = surface_.start[facet[v]];
-      const Point<D> area = undeformed::area_vector<D>(x);
-      return norm<D>(area) < smallest_area * std::pow(surface_.spacing, D - 1);
+      return !has_area<D>(x, surface_.spacing);
     });
   }
 

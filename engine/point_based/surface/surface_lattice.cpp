@@ -9,17 +9,15 @@
 #include "engine/lattice/column.hpp"
 #include "engine/lattice/mean_phi.hpp"
 #include "engine/point_based/nodes/body_lattice.hpp"
-#include "engine/undeformed/body.hpp"
 #include "engine/undeformed/contact/surface_place.hpp"
 
 namespace pliant::point_based {
 
 namespace {
 
-constexpr double on_shape = 1e-9;       // [h]
-constexpr double at_point = 1e-6;       // relative to the way to the next lattice point
-constexpr double smallest_area = 1e-9;  // [h^(D-1)]
-constexpr double touching = 1e-6;       // of boxes and cells [h]
+constexpr double on_shape = 1e-9;  // [h]
+constexpr double at_point = 1e-6;  // relative to the way to the next lattice point
+constexpr double touching = 1e-6;  // of boxes and cells [h]
 
 // A crossing at a lattice point is that point. A piece with two equal corners has no area.
 template <class Piece>
@@ -120,9 +118,7 @@ auto SurfaceLattice<D>::facets() const -> std::vector<Facet> {
         x[v] = facet[v].place;
       }
       if (has_twins(facet)) return;
-      double square = 0;
-      for (const double component : undeformed::area_vector<D>(x)) square += component * component;
-      if (std::sqrt(square) >= smallest_area * std::pow(spacing_, D - 1)) facets.push_back(facet);
+      if (has_area<D>(x, spacing_)) facets.push_back(facet);
     });
   });
   return facets;

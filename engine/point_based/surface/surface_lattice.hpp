@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -7,8 +8,17 @@
 #include "engine/blocks/box.hpp"
 #include "engine/geometry/shape.hpp"
 #include "engine/lattice/inside_parts.hpp"
+#include "engine/lattice/point_algebra.hpp"
+#include "engine/undeformed/body.hpp"
 
 namespace pliant::point_based {
+
+/// Whether a facet of a surface with the spacing `h` [m] has an area.
+template <int D>
+bool has_area(const std::array<Point<D>, D>& corners, double h) {
+  constexpr double smallest = 1e-9;  // [h^(D-1)]
+  return norm<D>(undeformed::area_vector<D>(corners)) >= smallest * std::pow(h, D - 1);
+}
 
 /// A shape between the points of a lattice: the simplices that fill it, and the facets that bound
 /// them.

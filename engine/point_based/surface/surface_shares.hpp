@@ -14,15 +14,6 @@ struct BorneArea {
   Point<D> area = {};
 };
 
-/// Whether a facet cuts off no edge of the body.
-template <int D>
-bool has_one_face(const BodySurface<D>& surface, const Corners<D>& corner) {
-  Point<D> normal = undeformed::area_vector<D>(corner);
-  const double area = norm<D>(normal);
-  for (double& component : normal) component /= area;
-  return faces_of<D>(surface, corner, normal).size() == 1;
-}
-
 /// [node of the cloud] its share of the surface, outward [m^(D-1)]: that of a pressure on all of
 /// it. `bearing(corners, area)` is a part of a flat facet that does not move with its corners.
 template <class T, int D, class Bearing>
@@ -33,9 +24,9 @@ std::vector<Point<D>> surface_shares(const Body<T, D>& body, const Bearing& bear
   };
   const BodySurface<D>& surface = body.surface;
   for (std::size_t f = 0; f < surface.facet.size(); ++f) {
-    Corners<D> corner;
-    for (int v = 0; v < D; ++v) corner[v] = surface.start[surface.facet[f][v]];
-    Point<D> area = undeformed::area_vector<D>(corner);
+    const PlaneFacet<D> facet = facet_of<D>(surface, f);
+    const Corners<D>& corner = facet.corner;
+    Point<D> area = facet.vector;
     const BorneArea<D> borne = bearing(corner, area);
     if (borne.node >= 0) {
       add(borne.node, 1, borne.area);
@@ -46,7 +37,7 @@ std::vector<Point<D>> surface_shares(const Body<T, D>& body, const Bearing& bear
       curved = {*surface.shape, corner, surface.spacing};
     }
     std::array<LoadAtCorner<D>, D> loads;
-    if (!curved.is_flat() && has_one_face<D>(surface, corner)) {
+    if (!curved.is_flat() && faces_of<D>(surface, corner, facet.normal).size() == 1) {
       loads = loads_on_parts<D>(corner, curved, [](const Point<D>&) { return true; });
     } else {
       if (!curved.is_flat()) area = curved.area();
