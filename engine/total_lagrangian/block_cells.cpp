@@ -83,27 +83,31 @@ class BlockCellsFinder {
     run.first = found.slot;
     run.count = pack;
     run.follows = found.follows;
+    run.cut = is_cut(found.slot);
     run.own = found.slot >= block_.first_slot && found.slot < block_.first_slot + block_.slot_count;
     run.row = body_.corner_rows(found.slot);
     run.target.fill(-1);
     return run;
   }
 
-  // A pack extends the run before it if their rows of corners are contiguous. No cell of the body
-  // ends a lattice row, so a run may extend into the next one.
-  void append(const kernels::CellRun<D>& next) {
+  bool is_cut(std::int64_t slot) const { return body_.cut[slot / pack] != 0; }
+
+  // A pack continues the run before it if their rows of corners are contiguous. No cell of the body
+  // ends a lattice row, so a run may continue in the next one.
+  void append(kernels::CellRun<D> next) {
     if (!cells_.runs.empty()) {
       kernels::CellRun<D>& last = cells_.runs.back();
-      bool continues =
+      next.continues =
           last.first + last.count == next.first && last.own == next.own && last.row == next.row;
       for (int r = 0; r < kernels::corner_rows<D>; ++r) {
-        continues = continues && (last.target[r] < 0) == (next.target[r] < 0);
+        next.continues = next.continues && (last.target[r] < 0) == (next.target[r] < 0);
       }
-      if (continues) {
+      if (next.continues && last.cut == next.cut) {
         last.count += pack;
         return;
       }
     }
+    if (next.follows && !next.continues) next.cut = next.cut || is_cut(next.first - pack);
     cells_.runs.push_back(next);
   }
 
@@ -139,11 +143,13 @@ class BlockCellsFinder {
   void put(const FittedCell<D>& cell, const Corners& corners, int lane,
            kernels::FittedPack<T, D>& to) const {
     to.slot[lane] = cell.slot;
+    const CellMoments<D> moments = body_.moments(cell.slot);
     to.volume[lane] = static_cast<T>(cell.volume);
     for (int c = 0; c < D * D; ++c) to.inverse[c][lane] = static_cast<T>(cell.inverse[c]);
     for (int c = 0; c < (1 << D); ++c) {
       const bool counts = lane == to.count && has(corners[c]);
       to.corner[c][lane] = corners[c];
+      to.moment[c][lane] = static_cast<T>(moments[c]);
       to.target[c][lane] = counts ? static_cast<std::int32_t>(corners[c] - block_.first_slot) : -1;
       for (int i = 0; i < D; ++i) to.start[i][c][lane] = static_cast<T>(cell.start[i][c]);
     }

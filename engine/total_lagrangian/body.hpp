@@ -12,6 +12,7 @@
 #include "engine/case/case.hpp"
 #include "engine/lattice/layout.hpp"
 #include "engine/storage/buffer.hpp"
+#include "engine/total_lagrangian/cell_moments.hpp"
 #include "engine/total_lagrangian/fields.hpp"
 #include "engine/undeformed/body.hpp"
 #include "kernels/total_lagrangian/table.hpp"
@@ -86,9 +87,11 @@ struct Body : undeformed::Body<T, D> {
   kernels::HourglassStiffness<double> hourglass;
   Lattice<D> lattice;
   Layout<D> layout;
-  Buffer<T> level_set;         ///< phi of the undeformed body [m]
-  Buffer<T> fraction;          ///< share of the cell above the slot that the body fills, (TL.1)
-  Buffer<T> regular_fraction;  ///< the same, 0 in fitted cells
+  Buffer<T> level_set;            ///< phi of the undeformed body [m]
+  Buffer<T> fraction;             ///< share of the cell above the slot that the body fills, (TL.1)
+  Buffer<T> regular_fraction;     ///< the same, 0 in fitted cells
+  std::vector<std::int32_t> cut;  ///< [slot / slots_per_pack] number in `cut_packs`
+  std::vector<kernels::CutPack<T, D>> cut_packs;  ///< the first one is for packs of whole cells
   /// S0 of (TL.14) at the stress points [Pa]; empty without initial stress.
   std::array<Buffer<T>, kernels::symmetric_components<D>> initial_stress;
   std::vector<kernels::PronyTerm<double>> prony;
@@ -168,6 +171,14 @@ struct Body : undeformed::Body<T, D> {
     const auto around = corners(cell);
     return std::any_of(around.begin(), around.end(),
                        [this](std::int64_t slot) { return shift(slot) != Point<D>{}; });
+  }
+
+  /// Moments of the part of a slot's cell in the body, (TL.36).
+  CellMoments<D> moments(std::int64_t slot) const {
+    const kernels::CutPack<T, D>& pack = cut_packs[cut[slot / kernels::slots_per_pack]];
+    CellMoments<D> of_cell;
+    for (int m = 0; m < (1 << D); ++m) of_cell[m] = pack.moment[m][slot % kernels::slots_per_pack];
+    return of_cell;
   }
 
   /// Slots of the corners of a slot's cell; they all exist if the body fills some of the cell.

@@ -4,7 +4,7 @@ namespace pliant::total_lagrangian {
 
 template <class T, int D>
 Eigen::Matrix<double, D, D> shape_of(const Body<T, D>& body, const Cell<D>& cell) {
-  return shape_of<D>(body.corners(cell), body.lattice.spacing,
+  return shape_of<D>(body.corners(cell), body.moments(body.layout.slot(cell)), body.lattice.spacing,
                      [&](std::int64_t slot) { return column<D>(body.shift(slot)); });
 }
 
@@ -26,12 +26,9 @@ void make_fitted_cells(Body<T, D>& body) {
       for (int m = 1; m < (1 << D); ++m) {
         if (kernels::directions_of[m] < 2) continue;
         for (int c = 0; c < (1 << D); ++c) {
-          // The signs of (TL.2); the contributions of regular nodes cancel.
-          const int lower = kernels::directions_of[m & ~c];
+          // The contributions of regular nodes cancel.
           const Point<D> shift = body.shift(corners[c]);
-          for (int i = 0; i < D; ++i) {
-            fitted.start[i][m] += lower % 2 == 0 ? shift[i] : -shift[i];
-          }
+          for (int i = 0; i < D; ++i) fitted.start[i][m] += sign_of_mode(m, c) * shift[i];
         }
       }
       body.fitted.push_back(fitted);

@@ -8,15 +8,18 @@
 /// Cells with a corner that was moved from its lattice node, (TL.11).
 namespace pliant::total_lagrangian {
 
-/// A of (TL.11): the gradient over a cell of the places of its corners with respect to its nodes.
-/// `shift_of(slot)` is how far a corner starts from its node [m].
+/// A of (TL.11): the mean gradient over the part of a cell with the moments `moment` of the places
+/// of its corners with respect to its nodes. `shift_of(slot)` is how far a corner starts from its
+/// node [m].
 template <int D, class F>
 Eigen::Matrix<double, D, D> shape_of(const std::array<std::int64_t, (1 << D)>& corners,
-                                     double spacing, F&& shift_of) {
+                                     const CellMoments<D>& moment, double spacing, F&& shift_of) {
   Eigen::Matrix<double, D, D> a = Eigen::Matrix<double, D, D>::Identity();
   for (int c = 0; c < (1 << D); ++c) {
     const Column<D> shift = shift_of(corners[c]);
-    for (int j = 0; j < D; ++j) a.col(j) += (c >> j & 1 ? 2 : -2) / ((1 << D) * spacing) * shift;
+    for (int j = 0; j < D; ++j) {
+      a.col(j) += mean_slope<D>(moment, c, j) * 2 / ((1 << D) * spacing) * shift;
+    }
   }
   return a;
 }

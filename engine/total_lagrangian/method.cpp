@@ -118,7 +118,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_small_hollows(a_case, hollows, warnings);
   // Measured for turned blocks, docs/decisions/0083.
   warn_of_measured_edges(a_case,
-                         "there stresses deviate by up to 50 % and displacements by up to 14 % of "
+                         "there stresses deviate by up to 40 % and displacements by up to 14 % of "
                          "the largest ones in this method",
                          warnings);
   // Measured for squares, discs and balls that rotate or are sheared.

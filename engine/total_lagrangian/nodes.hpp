@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -12,6 +13,7 @@
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/lattice.hpp"
 #include "engine/lattice/mean_phi.hpp"
+#include "engine/total_lagrangian/cell_moments.hpp"
 #include "kernels/layout.hpp"
 
 namespace pliant::total_lagrangian {
@@ -81,8 +83,18 @@ class Nodes {
   /// once, unless a corner moves.
   double fraction(const Cell<D>& cell) const {
     double& known = fraction_[index(cell)];
-    if (known == unknown) known = find_fraction(cell);
+    if (known == unknown) {
+      const Part part = find_part(cell);
+      known = part.fraction;
+      if (known > 0 && known < 1) moments_[index(cell)] = part.moment;
+    }
     return known;
+  }
+
+  /// Moments of the part of a cell inside the shape, (TL.36); null for whole and empty cells.
+  const CellMoments<D>* moments(const Cell<D>& cell) const {
+    const double share = fraction(cell);
+    return share > 0 && share < 1 ? &moments_.at(index(cell)) : nullptr;
   }
 
   const Cell<D>& lower() const { return lower_; }
@@ -94,6 +106,12 @@ class Nodes {
 
  private:
   static constexpr int corners = 1 << D;
+
+  struct Part {
+    double fraction = 0;
+    CellMoments<D> moment = moments_of_whole_cell<D>;
+  };
+
   static constexpr int sub_cells = 10;        // along a side of a cell that the surface cuts
   static constexpr double on_surface = 1e-9;  // [h] rounding errors of distances
   // Half a sub-cell plus half its diagonal [h]: if abs(phi) in the middle of 2^D sub-cells is at
@@ -102,23 +120,22 @@ class Nodes {
   static constexpr double never_far = std::numeric_limits<double>::infinity();
   static constexpr double unknown = -1;  // fraction
 
-  double find_fraction(const Cell<D>& cell) const {
+  Part find_part(const Cell<D>& cell) const {
     std::array<double, corners> corner;
     for (int c = 0; c < corners; ++c) corner[c] = phi(at_corner(cell, c));
     const auto [least, most] = std::minmax_element(corner.begin(), corner.end());
-    if (*most <= 0) return 1;
-    if (*least >= 0) return 0;
-    double fraction = 0;
+    if (*most <= 0) return {.fraction = 1};
+    if (*least >= 0) return {};
+    Part part;
     if (has_mesh_) {
-      fraction = share_inside([&](const Point<D>& s) { return between(corner, s); }, never_far);
+      part = part_inside([&](const Point<D>& s) { return between(corner, s); }, never_far);
     } else if (is_moved(cell)) {
       const auto places = places_of_corners(cell);
-      fraction =
-          share_inside([&](const Point<D>& s) { return phi_at(within(places, s)); }, never_far);
+      part = part_inside([&](const Point<D>& s) { return phi_at(within(places, s)); }, never_far);
     } else {
-      fraction = share_inside([&](const Point<D>& s) { return phi_at(on_lattice(cell, s)); }, far);
+      part = part_inside([&](const Point<D>& s) { return phi_at(on_lattice(cell, s)); }, far);
     }
-    return fraction < smallest ? 0 : fraction;
+    return part.fraction < smallest ? Part{} : part;
   }
 
   double phi_at(const Point<D>& x) const {
@@ -185,9 +202,9 @@ class Nodes {
   // The mean of clamp(1/2 - 10 phi/h, 0, 1) over the sub-cells. A group of 2^D sub-cells counts as
   // one where abs(phi) in its middle is at least `far_off`.
   template <class Phi>
-  static double share_inside(Phi&& phi, double far_off) {
+  static Part part_inside(Phi&& phi, double far_off) {
     constexpr int groups = sub_cells / 2;
-    double sum = 0;
+    Part sum = {.moment = {}};
     for (int g = 0; g < kernels::power(groups, D); ++g) {
       Point<D> middle;
       for (int a = 0, rest = g; a < D; ++a, rest /= groups) {
@@ -196,17 +213,33 @@ class Nodes {
       if (far_off < never_far) {
         const double distance = phi(middle);
         if (std::abs(distance) >= far_off) {
-          sum += distance < 0 ? corners : 0;
+          if (distance < 0) add(middle, corners, sum);
           continue;
         }
       }
       for (int k = 0; k < corners; ++k) {
         Point<D> s = middle;
         for (int a = 0; a < D; ++a) s[a] += ((k >> a & 1) - 0.5) / sub_cells;
-        sum += std::clamp(0.5 - sub_cells * phi(s), 0.0, 1.0);
+        add(s, std::clamp(0.5 - sub_cells * phi(s), 0.0, 1.0), sum);
       }
     }
-    return sum / kernels::power(sub_cells, D);
+    if (sum.fraction == 0) return {};
+    for (double& moment : sum.moment) moment /= sum.fraction;
+    sum.fraction /= kernels::power(sub_cells, D);
+    return sum;
+  }
+
+  static void add(const Point<D>& s, double share, Part& sum) {
+    if (share == 0) return;
+    CellMoments<D> product = {share};
+    for (int m = 0; m < corners; ++m) {
+      if (m > 0) {
+        const int lowest = std::countr_zero(static_cast<unsigned>(m));
+        product[m] = product[m & (m - 1)] * (2 * s[lowest] - 1);
+      }
+      sum.moment[m] += product[m];
+    }
+    sum.fraction += share;
   }
 
   std::int64_t index(const Cell<D>& cell) const {
@@ -220,8 +253,9 @@ class Nodes {
   bool has_mesh_;
   Cell<D> lower_, extent_;
   std::vector<double> phi_;
-  mutable std::vector<double> fraction_;    ///< [index] of cells
-  std::map<std::int64_t, Point<D>> moved_;  ///< [index]
+  mutable std::vector<double> fraction_;                    ///< [index] of cells
+  mutable std::map<std::int64_t, CellMoments<D>> moments_;  ///< [index] of cells that are cut
+  std::map<std::int64_t, Point<D>> moved_;                  ///< [index]
 };
 
 }  // namespace pliant::total_lagrangian

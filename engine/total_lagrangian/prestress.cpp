@@ -1,10 +1,11 @@
 #include "engine/total_lagrangian/prestress.hpp"
 
+#include "engine/geometry/padded.hpp"
 #include "engine/method/initial_stress.hpp"
+#include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant::total_lagrangian {
 
-// The initial stress is evaluated at the mean place of a cell's corners.
 template <class T, int D>
 void prestress(const BodyCase& source, Body<T, D>& body) {
   if (!body.is_prestressed()) return;
@@ -12,12 +13,8 @@ void prestress(const BodyCase& source, Body<T, D>& body) {
   for (const Block<D>& block : layout.blocks()) {
     layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       if (body.fraction[p] == 0) return;
-      Vector middle = {};
-      for (const std::int64_t q : body.corners(cell)) {
-        const Point<D> x = body.place(q, layout.cell(q));
-        for (int a = 0; a < D; ++a) middle[a] += x[a] / (1 << D);
-      }
-      const auto stress = initial_stress_in<D>(source, middle);
+      const Vector place = padded<D>(stress_point_place<T, D>(body, cell));
+      const auto stress = initial_stress_in<D>(source, place);
       for (std::size_t c = 0; c < stress.size(); ++c) {
         body.initial_stress[c][p] = static_cast<T>(stress[c]);
       }

@@ -139,6 +139,25 @@ void hold(const Boundaries<D>& boundaries, Body<T, D>& body) {
   }
 }
 
+template <class T, int D>
+kernels::CutPack<T, D> pack_of_whole_cells() {
+  kernels::CutPack<T, D> pack = {};
+  std::ranges::fill(pack.moment[0], T(1));
+  return pack;
+}
+
+template <class T, int D>
+void take_moments(const CellMoments<D>& moments, std::int64_t slot, Body<T, D>& body) {
+  std::int32_t& number = body.cut[slot / kernels::slots_per_pack];
+  if (number == 0) {
+    number = static_cast<std::int32_t>(body.cut_packs.size());
+    body.cut_packs.push_back(pack_of_whole_cells<T, D>());
+  }
+  for (int m = 0; m < (1 << D); ++m) {
+    body.cut_packs[number].moment[m][slot % kernels::slots_per_pack] = static_cast<T>(moments[m]);
+  }
+}
+
 // Sets level set, cells and masses. A cell keeps its stress point when its corners move.
 template <class T, int D>
 void fill(const Nodes<D>& nodes, Body<T, D>& body) {
@@ -146,6 +165,8 @@ void fill(const Nodes<D>& nodes, Body<T, D>& body) {
   const double corner_mass = body.material.density * std::pow(h, D) / (1 << D);
   const Layout<D>& layout = body.layout;
   std::fill_n(body.mass.get(), layout.slots(), T(0));
+  body.cut.assign(layout.slots() / kernels::slots_per_pack, 0);
+  body.cut_packs = {pack_of_whole_cells<T, D>()};
   for (const Block<D>& block : layout.blocks()) {
     layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       if (!nodes.has_cell(cell)) return;
@@ -153,6 +174,7 @@ void fill(const Nodes<D>& nodes, Body<T, D>& body) {
       body.fraction[p] = body.fraction[p] > 0 ? std::max(nodes.fraction(cell), Nodes<D>::smallest)
                                               : nodes.fraction(cell);
       if (body.fraction[p] == 0) return;
+      if (const auto* const moments = nodes.moments(cell)) take_moments<T, D>(*moments, p, body);
       const double det = body.is_fitted(cell) ? shape_of<T, D>(body, cell).determinant() : 1;
       for (const std::int64_t q : body.corners(cell)) {
         body.mass[q] += corner_mass * det * body.fraction[p];

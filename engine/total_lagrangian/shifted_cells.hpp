@@ -73,7 +73,8 @@ class ShiftedCells {
       const auto found = shifts.find(static_cast<std::int32_t>(slot));
       return found == shifts.end() ? Column<D>::Zero() : found->second;
     };
-    return shape_of<D>(corners, body_.lattice.spacing, shift_of).determinant();
+    return shape_of<D>(corners, moments_of_whole_cell<D>, body_.lattice.spacing, shift_of)
+        .determinant();
   }
 
   bool is_held(const Corners& corners) const {

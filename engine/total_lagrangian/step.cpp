@@ -205,6 +205,8 @@ void Step<T, D>::set_cells(const Body<T, D>& body, int local, kernels::Motion<T,
   work.examine = advance_.examine;
   work.material = body.material;
   work.fraction = body.regular_fraction.get();
+  work.cut = body.cut.data();
+  work.cut_packs = body.cut_packs.data();
   for (std::size_t c = 0; c < work.initial_stress.size(); ++c) {
     work.initial_stress[c] = body.initial_stress[c].get();
   }

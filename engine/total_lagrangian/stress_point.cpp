@@ -98,9 +98,16 @@ CellShape<D> cell_shape(const Body<T, D>& body, std::int64_t slot, const Cell<D>
   const auto fitted = std::lower_bound(
       body.fitted.begin(), body.fitted.end(), is_fitted ? slot : 0,
       [](const auto& fitted_cell, std::int64_t s) { return fitted_cell.slot < s; });
+  const CellMoments<D> moments = body.moments(slot);
   Matrix gradient, inverse = Matrix::Identity();
   for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j) gradient(i, j) = mode[i][1 << j] * 2 / ((1 << D) * h);
+    for (int j = 0; j < D; ++j) {
+      double mean = 0;
+      for (int m = 0; m < (1 << D); ++m) {
+        if (m >> j & 1) mean += moments[m ^ 1 << j] * mode[i][m];
+      }
+      gradient(i, j) = mean * 2 / ((1 << D) * h);
+    }
   }
   for (int c = 0; c < D * D && is_fitted; ++c) inverse(c / D, c % D) = fitted->inverse[c];
   gradient *= inverse;
@@ -176,6 +183,20 @@ double take_polynomial(const Body<T, D>& body, const kernels::Material<double>& 
 }  // namespace
 
 template <class T, int D>
+Point<D> stress_point_place(const Body<T, D>& body, const Cell<D>& cell) {
+  const CellMoments<D> moments = body.moments(body.layout.slot(cell));
+  const auto corners = body.corners(cell);
+  Point<D> x = body.lattice.node(cell);
+  for (int a = 0; a < D; ++a) x[a] += (1 + moments[1 << a]) * body.lattice.spacing / 2;
+  if (!body.is_fitted(cell)) return x;
+  for (int c = 0; c < (1 << D); ++c) {
+    const Point<D> shift = body.shift(corners[c]);
+    for (int a = 0; a < D; ++a) x[a] += mean_weight<D>(moments, c) * shift[a];
+  }
+  return x;
+}
+
+template <class T, int D>
 StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
                             double ahead) {
   const CellShape<D> shape = cell_shape<T, D>(body, slot, cell, ahead);
@@ -202,6 +223,10 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
   return point;
 }
 
+template Point<2> stress_point_place<double, 2>(const Body<double, 2>&, const Cell<2>&);
+template Point<3> stress_point_place<double, 3>(const Body<double, 3>&, const Cell<3>&);
+template Point<2> stress_point_place<float, 2>(const Body<float, 2>&, const Cell<2>&);
+template Point<3> stress_point_place<float, 3>(const Body<float, 3>&, const Cell<3>&);
 template StressPoint<2> stress_point<double, 2>(const Body<double, 2>&, std::int64_t,
                                                 const Cell<2>&, double);
 template StressPoint<3> stress_point<double, 3>(const Body<double, 3>&, std::int64_t,

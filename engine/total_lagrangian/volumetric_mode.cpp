@@ -26,7 +26,10 @@ class Breathing {
         unit_(body.lattice.spacing * body.lattice.spacing * body.material.density / 4) {
     for (const Block<D>& block : body.layout.blocks()) {
       body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
-        if (body.fraction[p] > 0) cells_.push_back({body.corners(cell), body.fraction[p]});
+        if (!(body.fraction[p] > 0)) return;
+        const std::size_t number = body.cut[p / kernels::slots_per_pack] == 0 ? 0 : slopes_.size();
+        if (number > 0) slopes_.push_back(slopes_of(body.moments(p)));
+        cells_.push_back({body.corners(cell), number, body.fraction[p]});
       });
     }
     dilatation_.assign(cells_.size(), 1);
@@ -46,10 +49,20 @@ class Breathing {
  private:
   struct FilledCell {
     std::array<std::int64_t, (1 << D)> corner;
+    std::size_t slopes;  // number in `slopes_`
     double fraction;
   };
 
-  static double sign(int corner, int axis) { return corner >> axis & 1 ? 1 : -1; }
+  // [corner][axis] (TL.36)
+  using Slopes = std::array<Point<D>, (1 << D)>;
+  static Slopes slopes_of(const CellMoments<D>& moments) {
+    Slopes slopes;
+    for (int c = 0; c < (1 << D); ++c) {
+      for (int a = 0; a < D; ++a) slopes[c][a] = mean_slope<D>(moments, c, a);
+    }
+    return slopes;
+  }
+
   // Gradient of a velocity field that is 1 at one corner and 0 at the others.
   double slope() const { return 2 / ((1 << D) * body_.lattice.spacing); }
 
@@ -61,8 +74,9 @@ class Breathing {
     }
     for (const FilledCell& cell : cells_) {
       const double pull = slope() * cell.fraction * dilatation_[&cell - cells_.data()];
+      const Slopes& slopes = slopes_[cell.slopes];
       for (int c = 0; c < (1 << D); ++c) {
-        for (int a = 0; a < D; ++a) velocity_[a][cell.corner[c]] += sign(c, a) * pull;
+        for (int a = 0; a < D; ++a) velocity_[a][cell.corner[c]] += slopes[c][a] * pull;
       }
     }
     for (std::vector<double>& component : velocity_) {
@@ -96,9 +110,10 @@ class Breathing {
   double dilate() {
     double power = 0;
     for (FilledCell& cell : cells_) {
+      const Slopes& slopes = slopes_[cell.slopes];
       double rate = 0;
       for (int c = 0; c < (1 << D); ++c) {
-        for (int a = 0; a < D; ++a) rate += sign(c, a) * velocity_[a][cell.corner[c]];
+        for (int a = 0; a < D; ++a) rate += slopes[c][a] * velocity_[a][cell.corner[c]];
       }
       double& dilatation = dilatation_[&cell - cells_.data()];
       dilatation = slope() * rate;
@@ -109,6 +124,7 @@ class Breathing {
 
   const Body<T, D>& body_;
   double volume_, unit_;
+  std::vector<Slopes> slopes_ = {slopes_of(moments_of_whole_cell<D>)};
   std::vector<FilledCell> cells_;
   std::vector<double> dilatation_;               // [cell]
   std::array<std::vector<double>, D> velocity_;  // [component][slot]

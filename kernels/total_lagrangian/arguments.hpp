@@ -39,6 +39,8 @@ struct CellRun {
   std::int64_t first;  ///< slot, a multiple of slots_per_pack
   std::int32_t count;  ///< slots, a multiple of slots_per_pack
   bool follows;        ///< whether the cell before the first has corners in the run's first pack
+  bool continues;      ///< whether the run before it has evaluated that cell
+  bool cut;            ///< whether the surface cuts some of the cells
   bool own;            ///< whether the cells belong to the block
   std::array<std::int64_t, corner_rows<D>> row;  ///< slots from a cell to its rows of corners
   std::array<std::int64_t, corner_rows<D>>
@@ -55,11 +57,18 @@ struct FittedPack {
   alignas(64) T volume[lanes];             ///< f det A: volume of the body in the cell, over h^D
   alignas(64) T inverse[D * D][lanes];     ///< A^-1, row-major
   alignas(64) T start[D][corners][lanes];  ///< [component][mode] q_b(X) of hourglass modes [m]
+  alignas(64) T moment[corners][lanes];    ///< [mode] m_b of (TL.36)
   std::int64_t slot[lanes];
   std::int64_t corner[corners][lanes];  ///< slots of the corners
   /// The corners relative to the first slot of the block; -1 outside it, and from `count` on.
   std::int32_t target[corners][lanes];
   int count;
+};
+
+/// Moments m_b of (TL.36) of the cells of a pack with cells that the surface cuts.
+template <class T, int D>
+struct CutPack {
+  alignas(64) T moment[1 << D][slots_per_pack];  ///< [mode][lane]; 1, 0, 0, ... in whole cells
 };
 
 /// The p_i of (RP.10) at the stress points of a body; a body without Prony terms has none.
@@ -93,7 +102,9 @@ struct Motion {
   HyperelasticMaterial<T> material;  ///< coefficients without the share that relaxes, (TL.24)
   CellViscosity<T> viscosity;
   Networks<T> networks;
-  const T* fraction;  ///< [slot] share of the cell that the body fills; 0 in fitted cells
+  const T* fraction;        ///< [slot] share of the cell that the body fills; 0 in fitted cells
+  const std::int32_t* cut;  ///< [slot / slots_per_pack] number in `cut_packs`
+  const CutPack<T, D>* cut_packs;  ///< the first one is for packs of whole cells
   /// [slot] S0 of (TL.14) at the stress points [Pa]; null: none.
   std::array<const T*, symmetric_components<D>> initial_stress;
   const T* inverse_mass;                 ///< [slot], 0 where there is no particle [1/kg]

@@ -43,4 +43,31 @@ inline void to_corners(P (&value)[1 << D]) {
   }
 }
 
+/// Adds to each gradient mode what makes it the mean over the part of the cell in the body, in
+/// place of the value in the middle, (TL.36). `moment(b)` is m_b.
+template <class P, int D, class Moment>
+inline void to_means(Moment&& moment, P (&mode)[1 << D]) {
+#pragma GCC unroll 8
+  for (int m = 1; m < (1 << D); ++m) {
+    if (directions_of[m] < 2) continue;
+#pragma GCC unroll 3
+    for (int a = 0; a < D; ++a) {
+      if (m >> a & 1) mode[1 << a] = fused(moment(m ^ 1 << a), mode[m], mode[1 << a]);
+    }
+  }
+}
+
+/// The transpose: adds the forces of these means to those of the hourglass modes.
+template <class P, int D, class Moment>
+inline void from_means(Moment&& moment, P (&force)[1 << D]) {
+#pragma GCC unroll 8
+  for (int m = 1; m < (1 << D); ++m) {
+    if (directions_of[m] < 2) continue;
+#pragma GCC unroll 3
+    for (int a = 0; a < D; ++a) {
+      if (m >> a & 1) force[m] = fused(moment(m ^ 1 << a), force[1 << a], force[m]);
+    }
+  }
+}
+
 }  // namespace pliant::kernels

@@ -23,6 +23,7 @@ struct CellGroup {
     return P::load_aligned(value);
   }
   P gather(const T* from) const { return gather(pack.slot, from); }
+  P moment(int mode) const { return constant(pack.moment[mode]); }
   /// Writes the lanes whose cells belong to the block.
   void scatter(const Motion<T, D>& block, const P& value, T* to) const {
     alignas(64) T of_lane[lanes<P>];
@@ -54,6 +55,7 @@ inline void gather_modes(const Motion<Scalar<P>, D>& block, const CellGroup<P, D
       mode[i][c] = group.gather(group.pack.corner[c], d);
     }
     to_modes<P, D>(mode[i]);
+    to_means<P, D>([&](int m) { return group.moment(m); }, mode[i]);
   }
 }
 
@@ -133,6 +135,7 @@ inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup
       for (int j = 1; j < D; ++j) sum = fused(effective[j], inverse[D * a + j], sum);
       pull[1 << a] = volume * slope * sum;
     }
+    from_means<P, D>([&](int m) { return group.moment(m); }, pull);
     to_corners<P, D>(pull);
     group.subtract_at_corners(pull, block.force[i]);
   }
@@ -140,8 +143,9 @@ inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup
 
 /// Subtracts the forces of a group of fitted cells from `block.force`.
 template <ElasticLaw law, bool relaxes, class P, int D>
-void evaluate_fitted_group(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& group,
-                           StressPointExtremes<P>& extremes) {
+[[gnu::flatten]] void evaluate_fitted_group(const Motion<Scalar<P>, D>& block,
+                                            const CellGroup<P, D>& group,
+                                            StressPointExtremes<P>& extremes) {
   using T = Scalar<P>;
   constexpr int corners = 1 << D;
   const P slope(T(2) / (corners * block.spacing));

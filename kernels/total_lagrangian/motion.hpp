@@ -85,9 +85,15 @@ MotionResult advance_motion_of(const Motion<Scalar<P>, D>& block) {
   StressPointExtremes<P> extremes;
   evaluate_fitted_cells<law, relaxes, P, D>(block, extremes);
   Mover<P, D> mover(block);
+  UpperCorners<P, D> upper;
+  upper.clear();
   for (int k = 0; k < block.run_count; ++k) {
     const CellRun<D>& run = block.runs[k];
-    evaluate_run<law, relaxes, P, D>(block, run, extremes);
+    if (run.cut) {
+      evaluate_run<law, relaxes, true, P, D>(block, run, upper, extremes);
+    } else {
+      evaluate_run<law, relaxes, false, P, D>(block, run, upper, extremes);
+    }
     if (run.own) mover.move_until(run.first + run.count - block.first_slot);
   }
   mover.move_until(block.slot_count);

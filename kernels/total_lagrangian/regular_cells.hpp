@@ -114,10 +114,11 @@ template <class T, int D>
 }
 
 /// Subtracts the forces of a run of cells from `block.force`, (TL.3)-(TL.6), and (TL.24) if it
-/// relaxes in shear.
-template <ElasticLaw law, bool relaxes, class P, int D>
-void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
-                  StressPointExtremes<P>& extremes) {
+/// relaxes in shear; with (TL.36) if the surface cuts some of its cells. `upper` comes from the run
+/// before and is left to the next one.
+template <ElasticLaw law, bool relaxes, bool cut, class P, int D>
+[[gnu::flatten]] void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
+                                   UpperCorners<P, D>& of_runs, StressPointExtremes<P>& extremes) {
   using T = Scalar<P>;
   constexpr int corners = 1 << D;
   T volume = 1;
@@ -127,9 +128,10 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
   // mode.
   const P slope(T(2) / (corners * block.spacing)), zero(T(0));
   const HourglassWeights<P, D> weights(block.hourglass, block.spacing);
-  UpperCorners<P, D> upper;
-  upper.clear();
-  for (std::int64_t along = run.follows ? -lanes<P> : 0; along < run.count; along += lanes<P>) {
+  UpperCorners<P, D> upper = of_runs;
+  if (!run.continues) upper.clear();
+  const bool starts_before = run.follows && !run.continues;
+  for (std::int64_t along = starts_before ? -lanes<P> : 0; along < run.count; along += lanes<P>) {
     const std::int64_t slot = run.first + along;
     if (run.own && along % slots_per_pack == 0) prefetch_pack(block, run, slot);
     const P fraction = load<P>(block.fraction + slot);
@@ -138,8 +140,17 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
       if (upper.exist) finish_row<P, D>(block, run, along, upper);
       continue;
     }
+    const CutPack<T, D>* const parts =
+        cut ? &block.cut_packs[block.cut[slot / slots_per_pack]] : nullptr;
+    const auto moment = [parts, lane = slot % slots_per_pack](int m) {
+      return load<P>(parts->moment[m] + lane);
+    };
     P mode[D][corners];
     displacement_modes<P, D>(block, run, slot, mode);
+    if constexpr (cut) {
+#pragma GCC unroll 3
+      for (int i = 0; i < D; ++i) to_means<P, D>(moment, mode[i]);
+    }
     CellState<P, D> state;
     regular_state<P, D>(weights, slope, inside, mode, state);
     const RegularSlots<P> slots = {slot, inside, run.own && along >= 0};
@@ -165,6 +176,7 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
       }
 #pragma GCC unroll 3
       for (int j = 0; j < D; ++j) pull[1 << j] = area * stress.piola[D * i + j];
+      if constexpr (cut) from_means<P, D>(moment, pull);
       to_corners<P, D>(pull);
       subtract_forces<P, D>(run, along, pull, upper.force[i], block.force[i]);
     }
@@ -177,6 +189,7 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
       extremes.non_finite = slot + first_lane<P>(broken);
     }
   }
+  of_runs = upper;
 }
 
 }  // namespace pliant::kernels

@@ -17,31 +17,20 @@ namespace {
 
 constexpr double radius = 2.6;  // [h] radius of a fit
 
-// Mean over the corners of a cell.
+// The value at a stress point of what particles have.
 template <class T, int D>
-double mean_of_corners(const Body<T, D>& body, const Buffer<T>& values, const Cell<D>& cell) {
+double mean_over_part(const Body<T, D>& body, const Buffer<T>& values, const Cell<D>& cell) {
+  const auto corners = body.corners(cell);
+  const CellMoments<D> moments = body.moments(body.layout.slot(cell));
   double sum = 0;
-  for (const std::int64_t p : body.corners(cell)) sum += values[p];
-  return sum / (1 << D);
-}
-
-// The middle of a cell of the undeformed body.
-template <class T, int D>
-Point<D> centre(const Body<T, D>& body, const Cell<D>& cell) {
-  Point<D> x = body.lattice.node(cell);
-  for (int a = 0; a < D; ++a) x[a] += body.lattice.spacing / 2;
-  if (!body.is_fitted(cell)) return x;
-  for (const std::int64_t corner : body.corners(cell)) {
-    const Point<D> shift = body.shift(corner);
-    for (int a = 0; a < D; ++a) x[a] += shift[a] / (1 << D);
-  }
-  return x;
+  for (int c = 0; c < (1 << D); ++c) sum += mean_weight<D>(moments, c) * values[corners[c]];
+  return sum;
 }
 
 template <class T, int D>
-Point<D> present_centre(const Body<T, D>& body, const Cell<D>& cell) {
-  Point<D> x = centre<T, D>(body, cell);
-  for (int a = 0; a < D; ++a) x[a] += mean_of_corners<T, D>(body, body.displacement[a], cell);
+Point<D> present_place(const Body<T, D>& body, const Cell<D>& cell) {
+  Point<D> x = stress_point_place<T, D>(body, cell);
+  for (int a = 0; a < D; ++a) x[a] += mean_over_part<T, D>(body, body.displacement[a], cell);
   return x;
 }
 
@@ -50,9 +39,9 @@ template <class T, int D>
 double cell_value(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
                   const std::string& field) {
   const int axis = last_axis(field);
-  if (field.starts_with("velocity")) return mean_of_corners<T, D>(body, body.velocity[axis], cell);
+  if (field.starts_with("velocity")) return mean_over_part<T, D>(body, body.velocity[axis], cell);
   if (field.starts_with("displacement")) {
-    return mean_of_corners<T, D>(body, body.displacement[axis], cell);
+    return mean_over_part<T, D>(body, body.displacement[axis], cell);
   }
   const StressPoint<D> point = stress_point<T, D>(body, slot, cell);
   if (field == "pressure") return point.pressure;
@@ -97,7 +86,7 @@ template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field) {
   LinearFit<D, 1> fit;
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
-    Point<D> r = centre<T, D>(body, cell);
+    Point<D> r = stress_point_place<T, D>(body, cell);
     double square = 0;
     for (int a = 0; a < D; ++a) {
       r[a] = (r[a] - start[a]) / body.lattice.spacing;
@@ -120,9 +109,9 @@ std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x) {
   Cell<D> nearest_cell = {};
   Row offset = Row::Zero();
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
-    const Point<D> centre = present_centre<T, D>(body, cell);
+    const Point<D> place = present_place<T, D>(body, cell);
     Row r;
-    for (int a = 0; a < D; ++a) r[a] = x[a] - centre[a];
+    for (int a = 0; a < D; ++a) r[a] = x[a] - place[a];
     if (r.squaredNorm() >= least) return;
     least = r.squaredNorm();
     nearest = p;
@@ -138,7 +127,7 @@ std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x) {
   const Row back = gradient.inverse() * offset;
   const double h = body.lattice.spacing;
   if (back.norm() > h * std::sqrt(D)) return std::nullopt;
-  Vector start = padded<D>(centre<T, D>(body, nearest_cell));
+  Vector start = padded<D>(stress_point_place<T, D>(body, nearest_cell));
   for (int a = 0; a < D; ++a) start[a] += back[a];
   return start;
 }

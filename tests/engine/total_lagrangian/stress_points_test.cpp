@@ -153,7 +153,18 @@ std::string collar(int dimension) {
 const std::string linear_rubber =
     "{ model = \"linear\", youngs_modulus = 30, poissons_ratio = 0.3, density = 1 }";
 
-/// Blocks of every law, free and below a collar; the last one viscous in shear.
+/// The block without what lies outside a disc or a ball: the surface cuts its cells.
+std::string rounded(const std::string& block, int dimension) {
+  const std::string box = dimension == 2
+                              ? R"({ shape = "box", lower = [0, 0], upper = [1, 1] })"
+                              : R"({ shape = "box", lower = [0, 0, 0], upper = [1, 1, 1] })";
+  const std::string round = dimension == 2
+                                ? R"({ shape = "disc", centre = [0.4, 0.45], radius = 0.6 })"
+                                : R"({ shape = "ball", centre = [0.4, 0.45, 0.5], radius = 0.6 })";
+  return tests::with(block, box, "{ shape = \"intersection\", of = [" + box + ", " + round + "] }");
+}
+
+/// Blocks of every law, free and below a collar, whole and rounded; the last ones viscous in shear.
 std::vector<std::string> blocks_of_every_law(int dimension) {
   const std::string free = free_block(dimension), named = "material = \"rubber\"";
   const std::string linear = tests::with(free, named, "material = " + linear_rubber);
@@ -171,7 +182,10 @@ std::vector<std::string> blocks_of_every_law(int dimension) {
           neo_hookean,
           neo_hookean + collar(dimension),
           block_of_law(dimension, "st_venant_kirchhoff"),
-          viscous + collar(dimension)};
+          rounded(stiffening, dimension),
+          rounded(neo_hookean, dimension) + collar(dimension),
+          viscous + collar(dimension),
+          rounded(viscous, dimension) + collar(dimension)};
 }
 
 // Large strains with hourglass modes: forces are the derivatives of the energy.

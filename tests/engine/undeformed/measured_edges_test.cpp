@@ -45,7 +45,7 @@ point = {}
   return of_edges;
 }
 
-// Stresses at corners of turned blocks are up to 50 % off in the total Lagrangian method.
+// Stresses at corners of turned blocks are up to 40 % off in the total Lagrangian method.
 TEST(measured_edges, are_warned_of_at_an_angle_to_the_axes) {
   ASSERT_EQ(warnings_at("total_lagrangian", 0.75, "[0.2, 1.4]").size(), 1u);
   EXPECT_NE(warnings_at("total_lagrangian", 0.75, "[0.2, 1.4]")[0].find("`moved` is taken"),

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "kernels/total_lagrangian/table.hpp"
 #include "tests/kernels/patch.hpp"
@@ -49,7 +51,21 @@ struct Block {
     });
   }
 
-  /// Cells around the particles, one run for each row of cells.
+  /// Lets the surface of the body cut the cells of every other pack.
+  void cut_cells() {
+    cut.resize(patch.slots / slots_per_pack);
+    cut_packs.resize(2);
+    for (std::size_t k = 0; k < cut.size(); ++k) cut[k] = k % 2;
+    for (int m = 0; m < (1 << D); ++m) {
+      for (int lane = 0; lane < slots_per_pack; ++lane) {
+        cut_packs[0].moment[m][lane] = m == 0 ? 1 : 0;
+        cut_packs[1].moment[m][lane] = m == 0 ? T(1) : T(0.1 * m - 0.05 * lane);
+      }
+    }
+  }
+
+  /// Cells around the particles, one run for each row of cells, or if the surface cuts some of them
+  /// one for each pack.
   std::vector<CellRun<D>> runs() const {
     std::vector<CellRun<D>> found;
     for (const Segment<D>& segment : patch.segments) {
@@ -62,7 +78,17 @@ struct Block {
         run.row[r] = segment.neighbour_row[row_index<D>(r & 1, r >> 1)];
         run.target[r] = segment.first + run.row[r] - patch.segments.front().first;
       }
-      found.push_back(run);
+      if (cut.empty()) {
+        found.push_back(run);
+        continue;
+      }
+      run.count = slots_per_pack;
+      for (; run.first < segment.first + segment.count; run.first += slots_per_pack) {
+        run.continues = run.first > segment.first;
+        run.cut = cut[run.first / slots_per_pack] != 0;
+        found.push_back(run);
+        for (std::int64_t& target : run.target) target += slots_per_pack;
+      }
     }
     return found;
   }
@@ -80,6 +106,8 @@ struct Block {
     motion.examine = true;
     motion.material = material;
     motion.fraction = fraction.data();
+    motion.cut = cut.data();
+    motion.cut_packs = cut_packs.data();
     motion.kept = T(kept);
     motion.gained = T(gained);
     motion.time_step = T(time_step);
@@ -103,6 +131,8 @@ struct Block {
   Patch<T, D> patch;
   HyperelasticMaterial<T> material;
   Field<T> fraction, inverse_mass;
+  std::vector<std::int32_t> cut;
+  std::vector<CutPack<T, D>> cut_packs;
   std::array<Field<T>, D> displacement, velocity, internal, traction;
   double largest = 0;  ///< component of the displacement
   MotionResult result{};
@@ -166,11 +196,16 @@ TYPED_TEST(total_lagrangian_kernels, force_and_traction_move_a_particle) {
 TYPED_TEST(total_lagrangian_kernels, instruction_sets_agree_with_the_baseline_within_rounding) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
-  Block<T, D> baseline;
-  jitter(baseline.displacement, T(0.01), 4);
-  jitter(baseline.velocity, T(1), 5);
-  for (const ElasticLaw law :
-       {ElasticLaw::reduced_polynomial, ElasticLaw::neo_hookean, ElasticLaw::st_venant_kirchhoff}) {
+  Block<T, D> whole, cut;
+  cut.cut_cells();
+  for (const auto& [start, law] : {std::pair{&whole, ElasticLaw::reduced_polynomial},
+                                   {&whole, ElasticLaw::neo_hookean},
+                                   {&whole, ElasticLaw::st_venant_kirchhoff},
+                                   {&cut, ElasticLaw::reduced_polynomial},
+                                   {&cut, ElasticLaw::neo_hookean}}) {
+    Block<T, D> baseline = *start;
+    jitter(baseline.displacement, T(0.01), 4);
+    jitter(baseline.velocity, T(1), 5);
     baseline.material.law = law;
     for (const Isa isa : {Isa::avx2, Isa::avx512}) {
       if (!is_supported(isa)) continue;
