@@ -146,6 +146,7 @@ kernels::CutPack<T, D> pack_of_whole_cells() {
   return pack;
 }
 
+// Sets the moments (TL.36) of a cell that the surface cuts.
 template <class T, int D>
 void take_moments(const CellMoments<D>& moments, std::int64_t slot, Body<T, D>& body) {
   std::int32_t& number = body.cut[slot / kernels::slots_per_pack];

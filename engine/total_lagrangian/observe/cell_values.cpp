@@ -27,6 +27,7 @@ double mean_over_part(const Body<T, D>& body, const Buffer<T>& values, const Cel
   return sum;
 }
 
+// Present place of a stress point.
 template <class T, int D>
 Point<D> present_place(const Body<T, D>& body, const Cell<D>& cell) {
   Point<D> x = stress_point_place<T, D>(body, cell);
