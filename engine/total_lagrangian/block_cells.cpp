@@ -145,6 +145,7 @@ class BlockCellsFinder {
     to.slot[lane] = cell.slot;
     const CellMoments<D> moments = body_.moments(cell.slot);
     to.volume[lane] = static_cast<T>(cell.volume);
+    to.moves[lane] = cell.moves ? T(1) : T(0);
     for (int c = 0; c < D * D; ++c) to.inverse[c][lane] = static_cast<T>(cell.inverse[c]);
     for (int c = 0; c < (1 << D); ++c) {
       const bool counts = lane == to.count && has(corners[c]);

@@ -51,6 +51,7 @@ template <int D>
 struct FittedCell {
   std::int64_t slot;
   double volume;            ///< f det A: volume of the body in the cell, over h^D
+  bool moves;               ///< whether walls leave a corner free
   double inverse[D * D];    ///< A^-1, row-major
   double start[D][1 << D];  ///< [component][mode] q_b(X) of the hourglass modes [m]
 };

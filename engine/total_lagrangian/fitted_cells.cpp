@@ -1,5 +1,8 @@
 #include "engine/total_lagrangian/fitted_cells.hpp"
 
+#include <algorithm>
+#include <vector>
+
 namespace pliant::total_lagrangian {
 
 template <class T, int D>
@@ -8,8 +11,25 @@ Eigen::Matrix<double, D, D> shape_of(const Body<T, D>& body, const Cell<D>& cell
                      [&](std::int64_t slot) { return column<D>(body.shift(slot)); });
 }
 
+namespace {
+
+// [slot] whether a wall holds a particle in all directions.
+template <class T, int D>
+std::vector<bool> held_wholly(const Body<T, D>& body) {
+  std::vector<bool> held(body.layout.slots(), false);
+  for (const auto& of_block : body.held) {
+    for (const ConstrainedParticle<D>& particle : of_block) {
+      held[particle.slot] = particle.normal == Point<D>{};
+    }
+  }
+  return held;
+}
+
+}  // namespace
+
 template <class T, int D>
 void make_fitted_cells(Body<T, D>& body) {
+  const std::vector<bool> held = held_wholly(body);
   for (const Block<D>& block : body.layout.blocks()) {
     body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       body.regular_fraction[p] = body.fraction[p];
@@ -23,6 +43,7 @@ void make_fitted_cells(Body<T, D>& body) {
         for (int j = 0; j < D; ++j) fitted.inverse[D * i + j] = inverse(i, j);
       }
       const auto corners = body.corners(cell);
+      fitted.moves = !std::ranges::all_of(corners, [&](std::int64_t q) { return held[q]; });
       for (int m = 1; m < (1 << D); ++m) {
         if (kernels::directions_of[m] < 2) continue;
         for (int c = 0; c < (1 << D); ++c) {

@@ -55,6 +55,7 @@ struct FittedPack {
   static constexpr int corners = 1 << D, lanes = slots_per_pack;
 
   alignas(64) T volume[lanes];             ///< f det A: volume of the body in the cell, over h^D
+  alignas(64) T moves[lanes];              ///< 1, or 0 where walls hold all corners
   alignas(64) T inverse[D * D][lanes];     ///< A^-1, row-major
   alignas(64) T start[D][corners][lanes];  ///< [component][mode] q_b(X) of hourglass modes [m]
   alignas(64) T moment[corners][lanes];    ///< [mode] m_b of (TL.36)

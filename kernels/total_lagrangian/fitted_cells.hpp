@@ -174,7 +174,8 @@ template <ElasticLaw law, bool relaxes, class P, int D>
       reverse[D * a + i] = sum;
     }
   }
-  const P c2 = lattice_wave_speed2<law, P, D>(block.material, state, stress, networks, reverse,
+  const P c2 = group.constant(group.pack.moves) *
+               lattice_wave_speed2<law, P, D>(block.material, state, stress, networks, reverse,
                                               norm2_bound<P, D>(inverse));
   const auto broken = examine<P, D>(state, stress, c2, slope == slope, extremes);
   if (extremes.non_finite < 0 && xsimd::any(broken)) {
