@@ -114,8 +114,8 @@ template <class T, int D>
 }
 
 /// Subtracts the forces of a run of cells from `block.force`, (TL.3)-(TL.6), and (TL.24) if it
-/// relaxes in shear; with (TL.36) if the surface cuts some of its cells. `upper` comes from the run
-/// before and is left to the next one.
+/// relaxes in shear; with (TL.36) if the surface cuts some of its cells. `of_runs` passes the upper
+/// corners from one run to the next.
 template <ElasticLaw law, bool relaxes, bool cut, class P, int D>
 [[gnu::flatten]] void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
                                    UpperCorners<P, D>& of_runs, StressPointExtremes<P>& extremes) {
