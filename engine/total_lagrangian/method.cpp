@@ -140,7 +140,7 @@ Footprint footprint(const Case& a_case, const BodyCase& body) {
   footprint.margin = 0.5;
   footprint.reach = 1.8;
   footprint.bytes_per_slot = sizeof(double) * (5.0 + 2 * memory + 5 * dimension);
-  footprint.bytes_per_particle = dimension == 2 ? 150 : 400;
+  footprint.bytes_per_particle = dimension == 2 ? 170 : 450;
   return footprint;
 }
 
