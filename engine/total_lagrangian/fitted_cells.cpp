@@ -7,7 +7,8 @@ namespace pliant::total_lagrangian {
 
 template <class T, int D>
 Eigen::Matrix<double, D, D> shape_of(const Body<T, D>& body, const Cell<D>& cell) {
-  return shape_of<D>(body.corners(cell), body.moments(body.layout.slot(cell)), body.lattice.spacing,
+  const auto corners = body.corners(cell);
+  return shape_of<D>(corners, body.moments(corners[0]), body.lattice.spacing,
                      [&](std::int64_t slot) { return column<D>(body.shift(slot)); });
 }
 

@@ -204,7 +204,7 @@ class Nodes {
   template <class Phi>
   static Part part_inside(Phi&& phi, double far_off) {
     constexpr int groups = sub_cells / 2;
-    Part sum = {.moment = {}};
+    CellMoments<D> sum = {};
     for (int g = 0; g < kernels::power(groups, D); ++g) {
       Point<D> middle;
       for (int a = 0, rest = g; a < D; ++a, rest /= groups) {
@@ -223,23 +223,21 @@ class Nodes {
         add(s, std::clamp(0.5 - sub_cells * phi(s), 0.0, 1.0), sum);
       }
     }
-    if (sum.fraction == 0) return {};
-    for (double& moment : sum.moment) moment /= sum.fraction;
-    sum.fraction /= kernels::power(sub_cells, D);
-    return sum;
+    if (sum[0] == 0) return {};
+    Part part = {sum[0] / kernels::power(sub_cells, D), sum};
+    for (double& moment : part.moment) moment /= sum[0];
+    return part;
   }
 
-  static void add(const Point<D>& s, double share, Part& sum) {
+  static void add(const Point<D>& s, double share, CellMoments<D>& sum) {
     if (share == 0) return;
     CellMoments<D> product = {share};
-    for (int m = 0; m < corners; ++m) {
-      if (m > 0) {
-        const int lowest = std::countr_zero(static_cast<unsigned>(m));
-        product[m] = product[m & (m - 1)] * (2 * s[lowest] - 1);
-      }
-      sum.moment[m] += product[m];
+    sum[0] += share;
+    for (int m = 1; m < corners; ++m) {
+      const int lowest = std::countr_zero(static_cast<unsigned>(m));
+      product[m] = product[m & (m - 1)] * (2 * s[lowest] - 1);
+      sum[m] += product[m];
     }
-    sum.fraction += share;
   }
 
   std::int64_t index(const Cell<D>& cell) const {

@@ -13,7 +13,7 @@ void prestress(const BodyCase& source, Body<T, D>& body) {
   for (const Block<D>& block : layout.blocks()) {
     layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       if (body.fraction[p] == 0) return;
-      const Vector place = padded<D>(stress_point_place<T, D>(body, cell));
+      const Vector place = padded<D>(stress_point_place<T, D>(body, p, cell));
       const auto stress = initial_stress_in<D>(source, place);
       for (std::size_t c = 0; c < stress.size(); ++c) {
         body.initial_stress[c][p] = static_cast<T>(stress[c]);

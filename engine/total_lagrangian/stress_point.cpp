@@ -183,12 +183,12 @@ double take_polynomial(const Body<T, D>& body, const kernels::Material<double>& 
 }  // namespace
 
 template <class T, int D>
-Point<D> stress_point_place(const Body<T, D>& body, const Cell<D>& cell) {
-  const CellMoments<D> moments = body.moments(body.layout.slot(cell));
-  const auto corners = body.corners(cell);
+Point<D> stress_point_place(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
+  const CellMoments<D> moments = body.moments(slot);
   Point<D> x = body.lattice.node(cell);
   for (int a = 0; a < D; ++a) x[a] += (1 + moments[1 << a]) * body.lattice.spacing / 2;
   if (!body.is_fitted(cell)) return x;
+  const auto corners = body.corners(cell);
   for (int c = 0; c < (1 << D); ++c) {
     const Point<D> shift = body.shift(corners[c]);
     for (int a = 0; a < D; ++a) x[a] += mean_weight<D>(moments, c) * shift[a];
@@ -223,10 +223,12 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
   return point;
 }
 
-template Point<2> stress_point_place<double, 2>(const Body<double, 2>&, const Cell<2>&);
-template Point<3> stress_point_place<double, 3>(const Body<double, 3>&, const Cell<3>&);
-template Point<2> stress_point_place<float, 2>(const Body<float, 2>&, const Cell<2>&);
-template Point<3> stress_point_place<float, 3>(const Body<float, 3>&, const Cell<3>&);
+template Point<2> stress_point_place<double, 2>(const Body<double, 2>&, std::int64_t,
+                                                const Cell<2>&);
+template Point<3> stress_point_place<double, 3>(const Body<double, 3>&, std::int64_t,
+                                                const Cell<3>&);
+template Point<2> stress_point_place<float, 2>(const Body<float, 2>&, std::int64_t, const Cell<2>&);
+template Point<3> stress_point_place<float, 3>(const Body<float, 3>&, std::int64_t, const Cell<3>&);
 template StressPoint<2> stress_point<double, 2>(const Body<double, 2>&, std::int64_t,
                                                 const Cell<2>&, double);
 template StressPoint<3> stress_point<double, 3>(const Body<double, 3>&, std::int64_t,

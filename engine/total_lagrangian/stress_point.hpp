@@ -17,9 +17,9 @@ struct StressPoint {
   double energy = 0;  ///< of the cell, with hourglass modes and Prony terms [J]
 };
 
-/// Undeformed place of the stress point of a cell: the mean of the part in the body [m].
+/// Undeformed place of the stress point above `slot`: the mean of the part in the body [m].
 template <class T, int D>
-Point<D> stress_point_place(const Body<T, D>& body, const Cell<D>& cell);
+Point<D> stress_point_place(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell);
 
 /// The stress point above `slot`, (TL.2)-(TL.6); the body must fill some of its cell. With `ahead`
 /// [s], particles are first advanced by that time at their velocities.

@@ -21,7 +21,7 @@ constexpr double radius = 2.6;  // [h] radius of a fit
 template <class T, int D>
 double mean_over_part(const Body<T, D>& body, const Buffer<T>& values, const Cell<D>& cell) {
   const auto corners = body.corners(cell);
-  const CellMoments<D> moments = body.moments(body.layout.slot(cell));
+  const CellMoments<D> moments = body.moments(corners[0]);
   double sum = 0;
   for (int c = 0; c < (1 << D); ++c) sum += mean_weight<D>(moments, c) * values[corners[c]];
   return sum;
@@ -29,8 +29,8 @@ double mean_over_part(const Body<T, D>& body, const Buffer<T>& values, const Cel
 
 // Present place of a stress point.
 template <class T, int D>
-Point<D> present_place(const Body<T, D>& body, const Cell<D>& cell) {
-  Point<D> x = stress_point_place<T, D>(body, cell);
+Point<D> present_place(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
+  Point<D> x = stress_point_place<T, D>(body, slot, cell);
   for (int a = 0; a < D; ++a) x[a] += mean_over_part<T, D>(body, body.displacement[a], cell);
   return x;
 }
@@ -87,7 +87,7 @@ template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field) {
   LinearFit<D, 1> fit;
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
-    Point<D> r = stress_point_place<T, D>(body, cell);
+    Point<D> r = stress_point_place<T, D>(body, p, cell);
     double square = 0;
     for (int a = 0; a < D; ++a) {
       r[a] = (r[a] - start[a]) / body.lattice.spacing;
@@ -110,7 +110,7 @@ std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x) {
   Cell<D> nearest_cell = {};
   Row offset = Row::Zero();
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
-    const Point<D> place = present_place<T, D>(body, cell);
+    const Point<D> place = present_place<T, D>(body, p, cell);
     Row r;
     for (int a = 0; a < D; ++a) r[a] = x[a] - place[a];
     if (r.squaredNorm() >= least) return;
@@ -128,7 +128,7 @@ std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x) {
   const Row back = gradient.inverse() * offset;
   const double h = body.lattice.spacing;
   if (back.norm() > h * std::sqrt(D)) return std::nullopt;
-  Vector start = padded<D>(stress_point_place<T, D>(body, nearest_cell));
+  Vector start = padded<D>(stress_point_place<T, D>(body, nearest, nearest_cell));
   for (int a = 0; a < D; ++a) start[a] += back[a];
   return start;
 }
