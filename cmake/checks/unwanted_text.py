@@ -1,4 +1,4 @@
-"""No file holds marks of unfinished work or paths of somebody's machine."""
+"""No file holds marks of unfinished work, paths of somebody's machine, or old names of types."""
 
 import re
 
@@ -9,6 +9,7 @@ MARKS = "|".join(["TO" "DO", "FIX" "ME", "X" "XX", "HA" "CK"])
 UNWANTED = [
     (re.compile(rf"\b({MARKS})\b"), "finish it, or open an issue"),
     (re.compile(r"(?<![\w.})])/(work|root|home)/"), "a path of one machine: make it relative"),
+    (re.compile(r"\btype" r"def\b"), "write `using`"),
 ]
 
 

@@ -132,7 +132,7 @@ double highest_square(const Element<D>& element, const kernels::Material<double>
       }
     }
   }
-  return eigenvalues<size>(stiffness)[size - 1] * (D + 1) / material.density;
+  return largest_eigenvalue(stiffness) * (D + 1) / material.density;
 }
 
 template <class T, int D>

@@ -4,7 +4,7 @@
 #include <limits>
 
 /// Decompositions of small dense matrices. Eigen's templates take seconds to compile for each size,
-/// so they are instantiated only here.
+/// so they are instantiated only here, and once for all sizes where speed matters little.
 namespace pliant {
 
 /// Eigenvalues and eigenvectors of a symmetric matrix.
@@ -19,14 +19,22 @@ Eigensystem<N> eigensystem(const Eigen::Matrix<double, N, N>& symmetric);  // N 
 
 /// Eigenvalues of a symmetric matrix, in ascending order.
 template <int N>
-Eigen::Matrix<double, N, 1> eigenvalues(
-    const Eigen::Matrix<double, N, N>& symmetric);  // N = 2, 3, 6, 12
+Eigen::Matrix<double, N, 1> eigenvalues(const Eigen::Matrix<double, N, N>& symmetric);  // N = 2, 3
+
+/// A matrix of up to N rows and columns, which is on the stack.
+template <int N>
+using MatrixOfAtMost = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, N, N>;
+
+double largest_eigenvalue(const MatrixOfAtMost<12>& symmetric);
 
 /// The Moore-Penrose pseudo-inverse: of all X that minimise |A X - 1|, the smallest. Pivots below
 /// `threshold` times the largest one count as 0.
+MatrixOfAtMost<4> pseudo_inverse(const MatrixOfAtMost<4>& a, double threshold);
 template <int N>
 Eigen::Matrix<double, N, N> pseudo_inverse(
     const Eigen::Matrix<double, N, N>& a,
-    double threshold = N * std::numeric_limits<double>::epsilon());  // N = 2, 3, 4
+    double threshold = N * std::numeric_limits<double>::epsilon()) {
+  return pseudo_inverse(MatrixOfAtMost<4>(a), threshold);
+}
 
 }  // namespace pliant
