@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "engine/boundaries/walls.hpp"
@@ -86,49 +87,60 @@ class FacetLoads {
     undeformed::LoadedPart<D> loaded;  ///< relative to the area of the facet
     Weights<D> weights = {};           ///< [corner of the cell] proportional to the shares
     Point<D> moment = {};              ///< integral of x over the loaded part, over the area [m]
+    int count = 0, hit = 0;            ///< places, and those of them where the load acts
   };
 
   // The share of a corner counts each place by the linear shape function of that corner.
+  static double share_of(int corner, const Barycentric<D>& at) {
+    return corner == whole_facet ? 1 : at[corner];
+  }
+
   LoadOnFacet load_on_facet(int number, int corner, const PlacesInCell<D>& places,
                             const Point<D>& normal, const std::vector<FaceOfFacet>& faces) const {
     const SurfacePressure<D>& pressure = boundaries_.pressures[number];
-    const Facet<D>& facet = body_.facets.back();
-    const auto of_corner = [corner](const Barycentric<D>& at) {
-      return corner == whole_facet ? 1 : at[corner];
-    };
-    int count = 0, hit = 0;
-    LoadOnFacet sum;
-    for_each_sample<D>([&](const Barycentric<D>& at) {
-      ++count;
-      const Point<D> x = place(facet, at);
-      if (on_a_wall(x)) return;
-      undeformed::LoadedPart<D> part = loaded_part(x, pressure, normal, faces);
-      if (part.area == 0) return;
-      part.area *= of_corner(at);
-      for (double& component : part.vector) component *= of_corner(at);
-      const double share = pressure.is_traction() ? part.area : norm<D>(part.vector);
-      ++hit;
-      sum.loaded.area += share;
-      sum.loaded.gap += part.gap;
-      for (int a = 0; a < D; ++a) {
-        sum.loaded.vector[a] += part.vector[a];
-        sum.moment[a] += share * x[a];
-      }
-      add_weights<D>(places, at, {}, share, sum.weights);
-    });
-    if (hit == 0) return sum;
-    if (hit == count) {
-      sum.weights = {};
+    LoadOnFacet load =
+        undeformed::sum_over_facet<D>([&](std::span<const Barycentric<D>> places_on_facet) {
+          LoadOnFacet sum;
+          for (const Barycentric<D>& at : places_on_facet) {
+            add_place(pressure, corner, places, at, normal, faces, sum);
+          }
+          return sum;
+        });
+    if (load.hit == 0) return load;
+    if (load.hit == load.count) {
+      load.weights = {};
       const Point<D> out =
-          pressure.is_traction() ? Point<D>{} : lever(sum.loaded.gap / hit, normal);
+          pressure.is_traction() ? Point<D>{} : lever(load.loaded.gap / load.hit, normal);
       for_each_gauss_point<D>([&](const Barycentric<D>& at, double weight) {
-        add_weights<D>(places, at, out, of_corner(at) * weight, sum.weights);
+        add_weights<D>(places, at, out, share_of(corner, at) * weight, load.weights);
       });
     }
-    sum.loaded.area /= count;
-    for (double& component : sum.loaded.vector) component /= count;
-    for (double& component : sum.moment) component /= count;
-    return sum;
+    load.loaded.area /= load.count;
+    for (double& component : load.loaded.vector) component /= load.count;
+    for (double& component : load.moment) component /= load.count;
+    return load;
+  }
+
+  // Adds the part of the load at one place of the last facet.
+  void add_place(const SurfacePressure<D>& pressure, int corner, const PlacesInCell<D>& places,
+                 const Barycentric<D>& at, const Point<D>& normal,
+                 const std::vector<FaceOfFacet>& faces, LoadOnFacet& sum) const {
+    ++sum.count;
+    const Point<D> x = place(body_.facets.back(), at);
+    if (on_a_wall(x)) return;
+    undeformed::LoadedPart<D> part = loaded_part(x, pressure, normal, faces);
+    if (part.area == 0) return;
+    ++sum.hit;
+    part.area *= share_of(corner, at);
+    for (double& component : part.vector) component *= share_of(corner, at);
+    const double share = pressure.is_traction() ? part.area : norm<D>(part.vector);
+    sum.loaded.area += share;
+    sum.loaded.gap += part.gap;
+    for (int a = 0; a < D; ++a) {
+      sum.loaded.vector[a] += part.vector[a];
+      sum.moment[a] += share * x[a];
+    }
+    add_weights<D>(places, at, {}, share, sum.weights);
   }
 
   // (TL.32): how far in front of a facet with a mean `gap` [m] to the surface a pressure acts [h].

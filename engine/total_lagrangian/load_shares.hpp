@@ -5,18 +5,15 @@
 
 #include "engine/lattice/surface_pieces.hpp"
 #include "engine/method/decompositions.hpp"
+#include "engine/undeformed/facet_places.hpp"
 
 /// The shares of a cell's corners in the force on a facet inside it, (TL.27).
 namespace pliant::total_lagrangian {
 
-inline constexpr int samples_to_a_side =
-    8;  ///< along a side of a facet that crosses the rim of a region
-
 template <int D>
 using Cube = std::array<SurfaceNode<D>, (1 << D)>;
 
-template <int D>
-using Barycentric = std::array<double, D>;
+using undeformed::Barycentric;
 
 /// Corners of a facet in [0, 1]^D of its cell.
 template <int D>
@@ -25,24 +22,6 @@ using PlacesInCell = std::array<Point<D>, D>;
 /// One weight for each corner of a cell.
 template <int D>
 using Weights = std::array<double, (1 << D)>;
-
-/// Calls f with the barycentric coordinates of places spread evenly over a facet.
-template <int D, class F>
-void for_each_sample(F&& f) {
-  for (int i = 0; i < samples_to_a_side; ++i) {
-    if constexpr (D == 2) {
-      const double u = (i + 0.5) / samples_to_a_side;
-      f({1 - u, u});
-    } else {
-      const auto at = [&](double u, double v) { f({1 - u - v, u, v}); };
-      for (int j = 0; i + j < samples_to_a_side; ++j) {
-        at((i + 1.0 / 3) / samples_to_a_side, (j + 1.0 / 3) / samples_to_a_side);
-        if (i + j < samples_to_a_side - 1)
-          at((i + 2.0 / 3) / samples_to_a_side, (j + 2.0 / 3) / samples_to_a_side);
-      }
-    }
-  }
-}
 
 /// Calls f with the places and weights of a quadrature rule over a facet, exact for polynomials of
 /// degree D: Gauss with two points in 2D, Dunavant with six in 3D.

@@ -12,6 +12,7 @@
 #include "engine/point_based/surface/rectangles.hpp"
 #include "engine/undeformed/contact/curved_facet.hpp"
 #include "engine/undeformed/contact/surface_place.hpp"
+#include "engine/undeformed/facet_places.hpp"
 
 /// The shares of nodes in the facets under one load.
 namespace pliant::point_based {
@@ -21,33 +22,6 @@ template <int D>
 bool lies_on_a_wall(const Boundaries<D>& boundaries, const Point<D>& x, double h) {
   constexpr double on_face = 1e-5;  // [h]
   return boundaries.nearest_wall(x).second < on_face * h;
-}
-
-/// Calls `f(x)` for places spread evenly over a facet. Returns their number.
-template <int D, class F>
-int for_each_sample(const std::array<Point<D>, D>& corner, F&& f) {
-  constexpr int samples = 8;  // along a side
-  int all = 0;
-  const auto at = [&](double u, double v) {
-    Point<D> x;
-    for (int a = 0; a < D; ++a) {
-      x[a] = corner[0][a] + u * (corner[1][a] - corner[0][a]);
-      if (D == 3) x[a] += v * (corner[D - 1][a] - corner[0][a]);
-    }
-    ++all;
-    f(x);
-  };
-  for (int i = 0; i < samples; ++i) {
-    if (D == 2) {
-      at((i + 0.5) / samples, 0);
-      continue;
-    }
-    for (int j = 0; i + j < samples; ++j) {
-      at((i + 1. / 3) / samples, (j + 1. / 3) / samples);
-      if (i + j < samples - 1) at((i + 2. / 3) / samples, (j + 2. / 3) / samples);
-    }
-  }
-  return all;
 }
 
 template <int D>
@@ -93,15 +67,28 @@ undeformed::LoadedPart<D> loaded_part(const Boundaries<D>& boundaries,
   const auto acts_at = [&](const Point<D>& x) {
     return load.acts_at(x) && !lies_on_a_wall<D>(boundaries, x, surface.spacing);
   };
-  undeformed::LoadedPart<D> mean;
-  const int all = for_each_sample<D>(corner, [&](const Point<D>& x) {
-    const auto part =
-        undeformed::loaded_part<D>(surface.shape, x, normal, faces, surface.spacing, acts_at);
-    mean.area += part.area;
-    for (int a = 0; a < D; ++a) mean.vector[a] += part.vector[a];
+  struct Sum {
+    undeformed::LoadedPart<D> part;
+    int count = 0, hit = 0;
+  };
+  auto [mean, count, hit] = undeformed::sum_over_facet<D>([&](auto places) {
+    Sum sum;
+    for (const undeformed::Barycentric<D>& at : places) {
+      Point<D> x = {};
+      for (int v = 0; v < D; ++v) {
+        for (int a = 0; a < D; ++a) x[a] += at[v] * corner[v][a];
+      }
+      const auto part =
+          undeformed::loaded_part<D>(surface.shape, x, normal, faces, surface.spacing, acts_at);
+      ++sum.count;
+      sum.hit += part.area != 0 ? 1 : 0;
+      sum.part.area += part.area;
+      for (int a = 0; a < D; ++a) sum.part.vector[a] += part.vector[a];
+    }
+    return sum;
   });
-  mean.area /= all;
-  for (double& component : mean.vector) component /= all;
+  mean.area /= count;
+  for (double& component : mean.vector) component /= count;
   return mean;
 }
 
