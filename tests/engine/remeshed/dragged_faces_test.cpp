@@ -80,7 +80,7 @@ TEST(dragged_faces, shear_a_layer_evenly) {
 // A block of 3 m by 1 m on a fixed wall, dragged along 1 m of its top. The total Lagrangian method
 // with 40 particles across moves the middle of that by 0.01473 m, with an energy of 0.006928 J/m.
 // With 8, 12 and 16 across it moved by 0.79, 0.86 and 0.89 of this.
-const std::string block = R"toml(discretisation = { spacing = "1/8", damping = "adaptive" }
+const std::string dragged_block = R"toml(discretisation = { spacing = "1/8", damping = "adaptive" }
 time = { end = 5 }
 [[body]]
 name = "block"
@@ -108,7 +108,7 @@ TEST(dragged_faces, move_where_the_load_acts_on_a_part_of_them) {
   for (const auto& [spacing, tolerance] :
        {std::pair{"1/8", 0.04}, std::pair{"1/12", 0.02}, std::pair{"1/16", 0.02}}) {
     const Case settings =
-        tests::read_text(block, {fmt::format("discretisation.spacing={}", spacing)});
+        tests::read_text(dragged_block, {fmt::format("discretisation.spacing={}", spacing)});
     Solver solver(settings, {2, kernels::widest_supported()});
     advance_until(solver, settings.time.end);
     const std::vector<double> found = solver.measure();
@@ -119,7 +119,7 @@ TEST(dragged_faces, move_where_the_load_acts_on_a_part_of_them) {
 
 // Measuring and frames with ghosts fill ghosts from the stress without (RP.112), and give it back.
 TEST(dragged_faces, move_alike_whatever_is_measured_meanwhile) {
-  const Case settings = tests::read_text(block);
+  const Case settings = tests::read_text(dragged_block);
   Solver plain(settings, {1, kernels::widest_supported()});
   Solver measured(settings, {1, kernels::widest_supported()});
   for (int i = 0; i < 40; ++i) {

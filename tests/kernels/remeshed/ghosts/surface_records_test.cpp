@@ -8,8 +8,8 @@ namespace pliant::kernels::test {
 namespace {
 
 template <class T>
-class surface : public testing::Test {};
-TYPED_TEST_SUITE(surface, Dimensions);
+class surface_records : public testing::Test {};
+TYPED_TEST_SUITE(surface_records, Dimensions);
 
 /// Packs of every third interior particle.
 template <class T, int D>
@@ -49,7 +49,7 @@ Field<T> records_of(const Body<T, D>& body, const std::vector<SurfacePack>& pack
   return records;
 }
 
-TYPED_TEST(surface, records_hold_velocity_stress_and_pressure) {
+TYPED_TEST(surface_records, hold_velocity_stress_and_pressure) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
   for (const Model model : every_model) {
