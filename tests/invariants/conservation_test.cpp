@@ -49,7 +49,7 @@ Sums particles_of(const Solver& solver) {
 }
 
 // Sums of 576 equal terms: each addition has an error of up to 1.1e-16.
-constexpr double rounding = 6e-14;
+constexpr double rounding_of_sums = 6e-14;
 
 TEST_P(Conservation, extensive_remeshing_keeps_mass_momentum_and_volume_to_rounding) {
   Solver solver = this->solver({});
@@ -57,9 +57,10 @@ TEST_P(Conservation, extensive_remeshing_keeps_mass_momentum_and_volume_to_round
     advance(solver, 7);
     const Sums before = particles_of(solver), after = sums_of(solver.on_nodes()[0]);
     EXPECT_GT(before.largest_volume_error, 1e-3) << "nothing has been deformed";
-    EXPECT_NEAR(after.mass, before.mass, rounding);
-    EXPECT_NEAR(after.volume, before.volume, rounding);
-    for (int a = 0; a < 2; ++a) EXPECT_NEAR(after.momentum[a], before.momentum[a], rounding);
+    EXPECT_NEAR(after.mass, before.mass, rounding_of_sums);
+    EXPECT_NEAR(after.volume, before.volume, rounding_of_sums);
+    for (int a = 0; a < 2; ++a)
+      EXPECT_NEAR(after.momentum[a], before.momentum[a], rounding_of_sums);
   }
 }
 
@@ -71,7 +72,7 @@ TEST_P(Conservation, total_volume_stays_that_of_the_cell) {
         {std::string("discretisation.spacing=") + spacing, "remeshing.every=5", "time.step=1e-3"});
     advance(solver, 60);
     EXPECT_EQ(solver.clock().remeshings, 12);
-    EXPECT_NEAR(particles_of(solver).mass, 1, rounding);
+    EXPECT_NEAR(particles_of(solver).mass, 1, rounding_of_sums);
     return std::abs(particles_of(solver).volume - 1);
   };
   const double coarse = volume_error("1/16"), fine = volume_error("1/32");

@@ -53,7 +53,7 @@ void advance_to_remeshing(remeshed::Solver<double, D>& solver) {
 }
 
 // Sums of some hundred terms, none larger than the sum.
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_motion = 1e-12;
 
 template <int D>
 void keeps_its_motion(const Case& settings) {
@@ -63,8 +63,8 @@ void keeps_its_motion(const Case& settings) {
     advance_to_remeshing(solver);
     const Motion<D> now(solver);
     for (int a = 0; a < 3; ++a) {
-      EXPECT_NEAR(now.velocity[a], start.velocity[a], rounding);
-      EXPECT_NEAR(now.spin[a], start.spin[a], rounding);
+      EXPECT_NEAR(now.velocity[a], start.velocity[a], rounding_of_motion);
+      EXPECT_NEAR(now.spin[a], start.spin[a], rounding_of_motion);
     }
   }
 }
@@ -85,9 +85,9 @@ TEST(free_motion, gravity_changes_the_velocity_of_a_square_and_not_its_spin) {
   for (int remeshing = 0; remeshing < 8; ++remeshing) advance_to_remeshing(solver);
   const Motion<2> now(solver);
   const double fallen = -0.3 * solver.clock().time;
-  EXPECT_NEAR(now.velocity[0], start.velocity[0], rounding);
-  EXPECT_NEAR(now.velocity[1] - start.velocity[1], fallen, rounding);
-  EXPECT_NEAR(now.spin[2], start.spin[2], rounding);
+  EXPECT_NEAR(now.velocity[0], start.velocity[0], rounding_of_motion);
+  EXPECT_NEAR(now.velocity[1] - start.velocity[1], fallen, rounding_of_motion);
+  EXPECT_NEAR(now.spin[2], start.spin[2], rounding_of_motion);
 }
 
 // Both decay by exp(-alpha t): (RP.71) acts equally on all velocities. The mean place of the
@@ -113,7 +113,7 @@ TEST(free_motion, a_blow_turns_a_disc) {
                                          "contact.0.kind=no_slip", "body.left.velocity=[0.5, 0.4]",
                                          "body.right.velocity=[-0.5, -0.4]"}),
                 {2, kernels::widest_supported()});
-  EXPECT_NEAR(Motion<2>(solver).spin[2], 0, rounding);
+  EXPECT_NEAR(Motion<2>(solver).spin[2], 0, rounding_of_motion);
   advance_until(solver, 0.5);
   advance_to_remeshing(solver);
   const double turned = Motion<2>(solver).spin[2];

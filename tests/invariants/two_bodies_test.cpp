@@ -5,7 +5,7 @@
 namespace pliant::test {
 namespace {
 
-const std::string disc =
+const std::string disc_alone =
     R"({ name = "disc", geometry = { shape = "disc", centre = [0, 0], radius = 1 }, )"
     R"(rotation = { centre = [0, 0], angular_velocity = "2*pi" }, )"
     R"(material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 1 } })";
@@ -30,9 +30,9 @@ std::map<std::string, Snapshot> after_20_steps(const std::string& bodies) {
 
 // Bodies are coupled only by the step: they may even overlap.
 TEST(two_bodies, each_moves_as_if_it_were_alone) {
-  const auto together = after_20_steps(disc + ", " + box);
+  const auto together = after_20_steps(disc_alone + ", " + box);
   ASSERT_EQ(together.size(), 2u);
-  for (const std::string& body : {disc, box}) {
+  for (const std::string& body : {disc_alone, box}) {
     const auto alone = after_20_steps(body);
     const auto& [name, expected] = *alone.begin();
     EXPECT_EQ(differences(expected, together.at(name)), std::vector<std::string>()) << name;

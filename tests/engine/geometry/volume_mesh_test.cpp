@@ -13,7 +13,7 @@ namespace {
 
 using namespace tests;
 
-VolumeMesh read(const std::string& name, const std::string& content, int dimension = 3) {
+VolumeMesh read_volume(const std::string& name, const std::string& content, int dimension = 3) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / name, std::ios::binary) << content;
   return read_volume_mesh(folder / name, dimension);
@@ -22,7 +22,7 @@ VolumeMesh read(const std::string& name, const std::string& content, int dimensi
 /// The error message for a wrong file, without the folder.
 std::string answer(const std::string& name, const std::string& content, int dimension = 3) {
   try {
-    read(name, content, dimension);
+    read_volume(name, content, dimension);
   } catch (const MeshError& error) {
     const std::string what = error.what();
     return what.substr(what.find(name));
@@ -43,7 +43,7 @@ const std::vector<std::pair<const char*, std::string>> cubes = {
 
 TEST(volume_mesh, every_format_gives_the_same_cube) {
   for (const auto& [name, content] : cubes) {
-    const VolumeMesh mesh = read(name, content);
+    const VolumeMesh mesh = read_volume(name, content);
     EXPECT_EQ(mesh.vertices.size(), 8u) << name;
     ASSERT_EQ(mesh.elements.size(), 6u) << name;
     for (std::size_t e = 0; e < 6; ++e) EXPECT_DOUBLE_EQ(element_volume(mesh, e), 1. / 6) << name;
@@ -62,7 +62,7 @@ TEST(volume_mesh, a_2d_mesh_has_triangles) {
   const std::string square =
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 2 0 0\n3 2 1 0\n4 0 1 0\n"
       "$EndNodes\n$Elements\n3\n1 1 0 1 2\n2 2 0 1 2 3\n3 2 0 1 3 4\n$EndElements\n";
-  const VolumeMesh mesh = read("a.msh", square, 2);
+  const VolumeMesh mesh = read_volume("a.msh", square, 2);
   ASSERT_EQ(mesh.elements.size(), 2u);
   EXPECT_DOUBLE_EQ(element_volume(mesh, 0) + element_volume(mesh, 1), 2);
   EXPECT_EQ(answer("a.msh", changed(square, "2 1 0\n", "2 1 3\n"), 2),
@@ -76,7 +76,7 @@ TEST(volume_mesh, a_mesh_that_is_inverted_everywhere_is_turned) {
     inverted = changed(inverted, fmt::format("4 {} {} {} {}\n", e[0], e[1], e[2], e[3]),
                        fmt::format("4 {} {} {} {}\n", e[1], e[0], e[2], e[3]));
   }
-  EXPECT_GT(element_volume(read("a.vtk", inverted), 3), 0);
+  EXPECT_GT(element_volume(read_volume("a.vtk", inverted), 3), 0);
 }
 
 TEST(volume_mesh, wrong_meshes_are_refused_with_their_line) {
@@ -109,14 +109,16 @@ TEST(volume_mesh, numbers_of_rows_are_those_of_the_file) {
   EXPECT_EQ(answer("a.msh", changed(gmsh_2_text(), "$Nodes\n8", "$Nodes\n7")),
             "a.msh:13: the section $Nodes has more rows than it announces");
   const std::string huge = "10000000000000000";
-  EXPECT_THROW(read("a.msh", changed(gmsh_2_text(), "$Elements\n7", "$Elements\n" + huge)),
+  EXPECT_THROW(read_volume("a.msh", changed(gmsh_2_text(), "$Elements\n7", "$Elements\n" + huge)),
                MeshError);
-  EXPECT_THROW(read("a.msh", changed(gmsh_2_binary(), "$Nodes\n8", "$Nodes\n" + huge)), MeshError);
-  EXPECT_THROW(
-      read("a.msh", changed(gmsh_4_binary(), bytes(std::int64_t{8}), bytes(std::int64_t{1} << 60))),
-      MeshError);
-  EXPECT_THROW(read("a.vtk", changed(vtk_text(), "POINTS 8", "POINTS " + huge)), MeshError);
-  EXPECT_THROW(read("a.vtk", changed(vtk_5_text(), "CELLS 7 24", "CELLS 7 " + huge)), MeshError);
+  EXPECT_THROW(read_volume("a.msh", changed(gmsh_2_binary(), "$Nodes\n8", "$Nodes\n" + huge)),
+               MeshError);
+  EXPECT_THROW(read_volume("a.msh", changed(gmsh_4_binary(), bytes(std::int64_t{8}),
+                                            bytes(std::int64_t{1} << 60))),
+               MeshError);
+  EXPECT_THROW(read_volume("a.vtk", changed(vtk_text(), "POINTS 8", "POINTS " + huge)), MeshError);
+  EXPECT_THROW(read_volume("a.vtk", changed(vtk_5_text(), "CELLS 7 24", "CELLS 7 " + huge)),
+               MeshError);
 }
 
 // Wherever a file is cut off, reading gives a mesh or a MeshError.
@@ -124,7 +126,7 @@ TEST(volume_mesh, every_cut_is_survived) {
   for (const auto& [name, whole] : cubes) {
     for (std::size_t length = 0; length < whole.size(); length += 7) {
       try {
-        EXPECT_FALSE(read(name, whole.substr(0, length)).elements.empty());
+        EXPECT_FALSE(read_volume(name, whole.substr(0, length)).elements.empty());
       } catch (const MeshError& error) {
         EXPECT_NE(error.remedy(), "");
       }
