@@ -30,6 +30,16 @@ inline std::map<std::string, double> values(pliant::Solver& solver) {
   return named;
 }
 
+/// Advances from now to `start` and on to `end` [s]. Returns the mean of the force `name` between
+/// the two [N], or N/m in 2D; measurements of forces are impulses here.
+inline double mean_force(pliant::Solver& solver, const std::string& name, double start,
+                         double end) {
+  solver.advance(start);
+  const double impulse = values(solver)[name], from = solver.clock().time;
+  solver.advance(end);
+  return (values(solver)[name] - impulse) / (solver.clock().time - from);
+}
+
 /// Kinetic and strain energy, minus the work, plus damped energy [J].
 inline double balance(pliant::Solver& solver) {
   const BodyIntegrals sum = solver.integrals();

@@ -49,10 +49,7 @@ geometry = {{ {} }}
 /// The mean force in the last half second, in which the load is constant.
 double force_on_floor(const std::string& text) {
   const auto run = methods().make(tests::read_text(text), {1, kernels::widest_supported()});
-  run->advance(1.5);
-  const double impulse = values(*run)["force"], from = run->clock().time;
-  run->advance(2);
-  return (values(*run)["force"] - impulse) / (run->clock().time - from);
+  return mean_force(*run, "force", 1.5, 2);
 }
 
 TEST(loads_on_regions, reach_the_floor_as_a_whole_wherever_their_regions_end) {

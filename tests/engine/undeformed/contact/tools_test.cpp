@@ -61,11 +61,7 @@ void expect_force(double expected, int dimension, const std::string& tool, doubl
     const auto run =
         methods().make(tests::read_text(pressed_block(dimension, tool, depth, setting)),
                        {2, kernels::widest_supported()});
-    run->advance(3.5);
-    const double impulse = values(*run)["force"], from = run->clock().time;
-    run->advance(4);
-    const double force = (impulse - values(*run)["force"]) / (run->clock().time - from);
-    EXPECT_NEAR(force, expected, setting.deviation * expected);
+    EXPECT_NEAR(-mean_force(*run, "force", 3.5, 4), expected, setting.deviation * expected);
     EXPECT_LT(std::abs(balance(*run)), 0.03 * run->energy_budget()->wall_work);
   }
 }
@@ -151,11 +147,7 @@ TEST(tools, bend_a_beam_on_two_supports) {
     SCOPED_TRACE(fmt::format("{}, {}", method, across));
     const auto run = methods().make(tests::read_text(bent_beam(method, across, 0.013)),
                                     {2, kernels::widest_supported()});
-    run->advance(5);
-    const double impulse = values(*run)["force"], from = run->clock().time;
-    run->advance(6);
-    const double force = (impulse - values(*run)["force"]) / (run->clock().time - from);
-    EXPECT_NEAR(force, 0.551, deviation * 0.551);
+    EXPECT_NEAR(-mean_force(*run, "force", 5, 6), 0.551, deviation * 0.551);
   }
 }
 
