@@ -110,7 +110,7 @@ TEST(tools, that_barely_touch_press_with_the_force_of_a_disc) {
                 {"total_lagrangian", 26, 0.03}});
 }
 
-/// A beam on two discs that a third one bends; (TL.35).
+/// A beam on two discs that a third one bends.
 std::string bent_beam(const std::string& method, int across, double aside) {
   std::string text = fmt::format(R"toml(dimension = 2
 method = "{}"
