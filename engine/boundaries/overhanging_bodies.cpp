@@ -44,9 +44,8 @@ bool overhangs_a_wall(const Case& a_case, const BodyCase& body) {
 
 void warn_of_overhangs(const Case& a_case, std::span<const ThinBodyError> errors,
                        std::vector<std::string>& warnings) {
-  Case held = a_case;
-  std::erase_if(held.bodies, [&](const BodyCase& body) { return !overhangs_a_wall(a_case, body); });
-  warn_of_thin_bodies(held, errors, warnings);
+  warn_of_thin_bodies(a_case, errors, warnings,
+                      [&](const BodyCase& body) { return overhangs_a_wall(a_case, body); });
 }
 
 }  // namespace pliant

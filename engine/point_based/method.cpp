@@ -12,6 +12,7 @@
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/method/initial_velocity.hpp"
+#include "engine/point_based/coarse_points.hpp"
 #include "engine/point_based/cutting/cut_resolution.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/nodes/place_nodes.hpp"
@@ -128,11 +129,8 @@ void warn_of_squeezed_lattices(const Case& a_case, std::vector<std::string>& war
   }
 }
 
-// Measured for the cantilever of docs/validation/robustness.py.
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
-  static constexpr ThinBodyError errors[] = {{1.5, "two layers of nodes hardly resist bending"},
-                                             {2, "bending deviates by 5 %"}};
-  warn_of_thin_bodies(a_case, errors, warnings);
+  warn_of_coarse_points(a_case, warnings);
   warn_of_coarse_cuts(a_case, warnings);
   warn_of_squeezed_lattices(a_case, warnings);
   // Measured for a block that hangs from a box in its corner, docs/decisions/0079.

@@ -8,6 +8,7 @@
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/hollows.hpp"
 #include "engine/case/checks/measured_edges.hpp"
+#include "engine/case/checks/short_runs.hpp"
 #include "engine/case/checks/stability.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/case/checks/tools.hpp"
@@ -257,6 +258,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_thin_walls(a_case, warnings);
   warn_of_overhanging_bodies(a_case, warnings);
   warn_of_tools(a_case, error_of_tools, warnings);
+  warn_of_short_runs(a_case, warnings);
 }
 
 std::string remeshings(const Case& a_case) {

@@ -35,11 +35,9 @@ void warn_of_squeezed_bodies(const Case& a_case, std::span<const ThinBodyError> 
                              std::vector<std::string>& warnings) {
   if (a_case.dimension == 2) return;
   const Boundaries<3> boundaries(a_case.boundaries);
-  Case squeezed = a_case;
-  std::erase_if(squeezed.bodies, [&](const BodyCase& body) {
-    return poissons_ratio(body) < least_ratio || !is_squeezed(a_case, boundaries, body);
+  warn_of_thin_bodies(a_case, errors, warnings, [&](const BodyCase& body) {
+    return poissons_ratio(body) >= least_ratio && is_squeezed(a_case, boundaries, body);
   });
-  warn_of_thin_bodies(squeezed, errors, warnings);
 }
 
 }  // namespace pliant::undeformed

@@ -61,12 +61,13 @@ double largest(const BodyCase& body, int dimension, const F& value_at) {
   return most < length ? most : endless;
 }
 
-/// Adds a warning for each body whose `length` is too small in spacings.
-template <class Length>
+/// Adds a warning for each body that `counts` selects and whose `length` is too small in spacings.
+template <class Length, class Counts>
 void warn_of(const Case& a_case, std::span<const ThinBodyError> errors, const Length& length,
-             std::string_view what, std::vector<std::string>& warnings) {
+             const Counts& counts, std::string_view what, std::vector<std::string>& warnings) {
   const double enough = errors.back().across;
   for (const BodyCase& body : a_case.bodies) {
+    if (!counts(body)) continue;
     const Resolution resolution = resolution_of(a_case, body);
     const double size = length(a_case, body), across = size / resolution.size;
     const ThinBodyError* error = error_at(errors, across);
@@ -136,13 +137,15 @@ double opening(const Case& a_case, const BodyCase& body) {
 }
 
 void warn_of_thin_bodies(const Case& a_case, std::span<const ThinBodyError> errors,
-                         std::vector<std::string>& warnings) {
-  warn_of(a_case, errors, thickness, "body", warnings);
+                         std::vector<std::string>& warnings,
+                         const std::function<bool(const BodyCase&)>& counts) {
+  warn_of(a_case, errors, thickness, counts, "body", warnings);
 }
 
 void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> errors,
                              std::vector<std::string>& warnings) {
-  warn_of(a_case, errors, opening, "the surface that walls leave free on body", warnings);
+  const auto every = [](const BodyCase&) { return true; };
+  warn_of(a_case, errors, opening, every, "the surface that walls leave free on body", warnings);
 }
 
 void warn_of_slender_bodies(const Case& a_case, double factor, std::vector<std::string>& warnings) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,10 +31,11 @@ double thickness(const Case& a_case, const BodyCase& body);
 /// loads.
 double opening(const Case& a_case, const BodyCase& body);
 
-/// Adds a warning for each body that is too thin for a method; `errors` are in ascending order of
-/// `across`.
-void warn_of_thin_bodies(const Case& a_case, std::span<const ThinBodyError> errors,
-                         std::vector<std::string>& warnings);
+/// Adds a warning for each body that `counts` selects and that is too thin for a method; `errors`
+/// are in ascending order of `across`.
+void warn_of_thin_bodies(
+    const Case& a_case, std::span<const ThinBodyError> errors, std::vector<std::string>& warnings,
+    const std::function<bool(const BodyCase&)>& counts = [](const BodyCase&) { return true; });
 
 /// The same for openings between walls.
 void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> errors,
