@@ -51,11 +51,14 @@ class Watch {
   std::string judge_number(const Solver& solver, bool last) const;
   std::string judge_loss() const;
   std::string judge_rest(const Solver& solver, bool last) const;
-  /// Mean strain of the bodies.
+  /// Mean strain of the bodies at a strain energy [J].
+  double strain_of(double energy) const;
+  /// That of now.
   double strain() const;
   std::string judge_slow_load(const Solver& solver) const;
   std::string judge_linear_law() const;
   std::string judge_damping(const Solver& solver) const;
+  std::string judge_precision() const;
   /// Spurious energy of bodies at rest from rounding [J].
   double rounding_energy() const;
   void look_at_momentum(const Solver& solver);

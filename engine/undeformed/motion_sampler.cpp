@@ -1,7 +1,9 @@
 #include "engine/undeformed/motion_sampler.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pliant::undeformed {
 
@@ -16,10 +18,17 @@ void keep(const std::array<Buffer<T>, D>& components, std::int64_t first, std::i
   }
 }
 
-/// The least motion since the last sample, over the displacement, that is not lost in what rounding
-/// to T adds to the forces.
-template <class T>
-constexpr double noticed = sizeof(T) == sizeof(float) ? 0.003 : 0;
+/// What rounding to T may add to the force on a particle of the mass `mass` where displacements are
+/// up to `displaced` [m]: the modulus of pressure waves times the rounded strain on its faces [N,
+/// N/m in 2D].
+template <class T, int D>
+double rounded_force(const Body<T, D>& body, double mass, double displaced) {
+  const double density = body.source->material.density;
+  const double speed = kernels::wave_speed_at_rest(body.source->material);
+  const double size = std::pow(mass / density, 1.0 / D);
+  const double strain = std::numeric_limits<T>::epsilon() * (1 + 2 * displaced / size);
+  return strain * density * speed * speed * std::pow(size, D - 1);
+}
 
 }  // namespace
 
@@ -34,40 +43,49 @@ void MotionSampler<T, D>::begin(int block, const Body<T, D>& body, std::int64_t 
 }
 
 template <class T, int D>
-bool MotionSampler<T, D>::has_moved(const OfBlock& of, const Body<T, D>& body) {
-  if constexpr (noticed<T> == 0) return true;
-  double moved = 0, displaced = 0;
+template <class F>
+void MotionSampler<T, D>::for_each_change(const OfBlock& of, const Body<T, D>& body,
+                                          const Kick<T>& kick, F&& f) {
   for (int a = 0; a < D; ++a) {
     for (std::int64_t i = 0; i < of.count; ++i) {
-      const double now = of.displacement[a * of.count + i];
-      moved += std::pow(now - body.sampled_displacement[a][of.first + i], 2);
-      displaced += now * now;
+      const std::int64_t slot = of.first + i;
+      if (!body.is_particle(slot)) continue;
+      const T change = body.velocity[a][slot] - kick.kept * of.velocity[a * of.count + i];
+      f(a, slot, of.displacement[a * of.count + i], body.mass[slot] * change / kick.gained);
     }
   }
-  return moved > noticed<T> * noticed<T> * displaced;
+}
+
+template <class T, int D>
+Secant MotionSampler<T, D>::secant_of(const OfBlock& of, const Body<T, D>& body,
+                                      const Kick<T>& kick) {
+  constexpr double noticed = 5;  // times what rounding adds
+  Secant found;
+  double square = 0, largest_mass = 0, displaced = 0;
+  for_each_change(of, body, kick, [&](int a, std::int64_t slot, T displacement, T force) {
+    const double moved = double{displacement} - body.sampled_displacement[a][slot];
+    found.stiffness += moved * (double{body.sampled_force[a][slot]} - force);
+    found.inertia += body.mass[slot] * moved * moved;
+    square += moved * moved;
+    largest_mass = std::max<double>(largest_mass, body.mass[slot]);
+    displaced = std::max<double>(displaced, std::abs(displacement));
+  });
+  if constexpr (sizeof(T) == sizeof(double)) return found;
+  const double rounding =
+      noticed * rounded_force(body, largest_mass, displaced) * std::sqrt(square);
+  if (std::abs(found.stiffness) > rounding) return found;
+  return {.rounding = rounding, .inertia_in_rounding = found.inertia};
 }
 
 template <class T, int D>
 void MotionSampler<T, D>::end(int block, Body<T, D>& body, const Kick<T>& kick) {
   OfBlock& of = blocks_[block];
-  of.secant = {};
-  if (!has_moved(of, body)) return;
-  for (int a = 0; a < D; ++a) {
-    for (std::int64_t i = 0; i < of.count; ++i) {
-      const std::int64_t slot = of.first + i;
-      if (!body.is_particle(slot)) continue;
-      T& last_displacement = body.sampled_displacement[a][slot];
-      T& last_force = body.sampled_force[a][slot];
-      const T displacement = of.displacement[a * of.count + i];
-      const T change = body.velocity[a][slot] - kick.kept * of.velocity[a * of.count + i];
-      const T force = body.mass[slot] * change / kick.gained;
-      const double moved = double{displacement} - last_displacement;
-      of.secant.stiffness += moved * (double{last_force} - force);
-      of.secant.inertia += body.mass[slot] * moved * moved;
-      last_displacement = displacement;
-      last_force = force;
-    }
-  }
+  of.secant = secant_of(of, body, kick);
+  if (of.secant.inertia == 0) return;
+  for_each_change(of, body, kick, [&](int a, std::int64_t slot, T displacement, T force) {
+    body.sampled_displacement[a][slot] = displacement;
+    body.sampled_force[a][slot] = force;
+  });
 }
 
 template <class T, int D>

@@ -45,8 +45,13 @@ class MotionSampler {
     std::vector<T> displacement, velocity;  ///< [axis][slot]
     Secant secant;
   };
-  /// Whether a block has moved enough since the last sample.
-  static bool has_moved(const OfBlock& of, const Body<T, D>& body);
+  /// Calls f(axis, slot, displacement, force) with those of now.
+  template <class F>
+  static void for_each_change(const OfBlock& of, const Body<T, D>& body, const Kick<T>& kick,
+                              F&& f);
+  /// The motion of a block since the last sample; in single precision only what it is at most where
+  /// it is so small that its forces are lost in rounding.
+  static Secant secant_of(const OfBlock& of, const Body<T, D>& body, const Kick<T>& kick);
 
   std::vector<OfBlock> blocks_;
 };

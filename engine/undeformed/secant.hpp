@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace pliant::undeformed {
 
@@ -11,14 +12,23 @@ namespace pliant::undeformed {
 struct Secant {
   double stiffness = 0;  ///< D.(F' - F), F' the forces at the last sample [J]
   double inertia = 0;    ///< D.m D, without mass scaling [kg m^2]; 0 if nothing has moved enough
+  /// The same of blocks whose stiffness is lost in rounding, which is no larger than this.
+  double rounding = 0, inertia_in_rounding = 0;
 
   Secant& operator+=(const Secant& other) {
     stiffness += other.stiffness;
     inertia += other.inertia;
+    rounding += other.rounding;
+    inertia_in_rounding += other.inertia_in_rounding;
     return *this;
   }
   /// The Rayleigh quotient, 0 where the stiffness is negative [1/s^2].
   double frequency2() const { return stiffness > 0 && inertia > 0 ? stiffness / inertia : 0; }
+  /// What it is at most if nothing has moved enough [1/s^2].
+  double most_frequency2() const {
+    return inertia_in_rounding > 0 ? rounding / inertia_in_rounding
+                                   : std::numeric_limits<double>::infinity();
+  }
 };
 
 /// Steps until the next sample after one that has found the frequency `omega` [1/s], `last` steps

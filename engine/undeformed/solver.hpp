@@ -234,6 +234,9 @@ void Solver<State, Step, Measurer>::damp_critically(const Advance& advance, cons
     const double omega = std::sqrt(secant.frequency2() / clock.mass_scaling);
     clock.damping = std::min(2 * omega, 1 / advance.length);
     clock.sample_interval = steps_until_sample(omega, advance.length, clock.sample_interval);
+  } else {
+    const double most = std::sqrt(secant.most_frequency2() / clock.mass_scaling);
+    clock.damping = std::min(clock.damping, 2 * most);
   }
   clock.next_sample += clock.sample_interval;
 }

@@ -12,6 +12,7 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/method/free_flight.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
+#include "tests/engine/undeformed/loads.hpp"
 
 namespace pliant::test {
 namespace {
@@ -223,6 +224,25 @@ TEST(watch, tells_of_damping_that_acts_in_the_end) {
   EXPECT_NE(late.find("in the end the bodies still move"), late.npos) << late;
   EXPECT_EQ(said_of_a_cantilever_after(20, "\"adaptive\""), "");
   EXPECT_EQ(said_of_a_cantilever_after(3, "1"), "");
+}
+
+TEST(watch, tells_of_strains_that_single_precision_does_not_resolve) {
+  const auto said = [](double weight, const std::string& method, const std::string& precision) {
+    return said_after(
+        1,
+        fmt::format("method = \"{}\"\nprecision = \"{}\"\ntime.end = 1\ngravity = [0, -{}]\n"
+                    "discretisation = {{ spacing = 0.05, damping = 4 }}\n[[body]]\nname = "
+                    "\"block\"\ngeometry = {{ shape = \"box\", lower = [0, 0], upper = [1, 1] }}\n"
+                    "material = {{ model = \"neo_hookean\", youngs_modulus = 100, poissons_ratio "
+                    "= 0.3, density = 1 }}\n",
+                    method, precision, weight) +
+            half_space("floor", "kind = \"fixed\"", "[0, 0]", "[0, 1]"));
+  };
+  const std::string warning = said(2e-5, "total_lagrangian", "single");
+  EXPECT_NE(warning.find("too small for single precision"), warning.npos) << warning;
+  EXPECT_EQ(said(2e-5, "total_lagrangian", "double"), "");
+  EXPECT_EQ(said(2e-3, "point_based", "single"), "");
+  EXPECT_NE(said(2e-2, "remeshed", "single").find("several times too large"), std::string::npos);
 }
 
 TEST_F(Watching, ends_a_run_that_is_no_longer_credible) {
