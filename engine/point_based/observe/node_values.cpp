@@ -9,8 +9,8 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/method/field_components.hpp"
+#include "engine/method/field_fit.hpp"
 #include "engine/method/no_value.hpp"
-#include "engine/method/polynomial_fit.hpp"
 #include "engine/method/region_share.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 
@@ -68,14 +68,15 @@ double material_value(const Body<T, D>& body, const Vector& start, std::int64_t 
   const Point<D> place = unpadded<D>(start);
   const std::vector<std::int64_t> nodes = with_neighbours(body, nearest);
   const double reach = reach_of<T, D>(body, nodes, place);
-  LinearFit<D, 1> fit;
+  FieldFit<D> fit;
   for (const std::int64_t slot : nodes) {
     Point<D> r = difference<D>(body.start[slot], place);
     for (double& component : r) component /= reach;
-    const double rest = 1 - dot<D>(r, r);
-    fit.add(r, rest * rest, {node_value(body, slot, field)});
+    const double weight = weight_of_value(dot<D>(r, r), 1);
+    fit.add(r, weight, weight, node_value(body, slot, field));
   }
-  return fit.solve() ? fit.value(0) : node_value(body, nearest, field);
+  const std::optional<double> fitted = fit.value();
+  return fitted ? *fitted : node_value(body, nearest, field);
 }
 
 // Where the gradient varies, that of the nearest node alone may be far from the one between the

@@ -11,9 +11,9 @@
 /// Fields that measurements name, at nodes and between them.
 namespace pliant::point_based {
 
-/// The value of a field at the place `start` of the undeformed body [m]: a linear fit to the node
-/// at `nearest` and its neighbours. The neighbours have bonds with it, so no value comes from
-/// beyond a cut.
+/// The value of a field at the place `start` of the undeformed body [m]: a fit to the node at
+/// `nearest` and its neighbours. The neighbours have bonds with it, so no value comes from beyond a
+/// cut.
 template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, std::int64_t nearest,
                       const std::string& field);

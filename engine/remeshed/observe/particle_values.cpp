@@ -6,7 +6,8 @@
 #include <limits>
 
 #include "engine/method/field_components.hpp"
-#include "engine/method/polynomial_fit.hpp"
+#include "engine/method/field_fit.hpp"
+#include "engine/method/no_value.hpp"
 #include "engine/remeshed/observe/point_state.hpp"
 
 namespace pliant::remeshed {
@@ -14,15 +15,6 @@ namespace pliant::remeshed {
 namespace {
 
 constexpr double linear_radius = 2.6, quadratic_radius = 3.2;  // [h] radius of a fit
-// Amplification of a quadratic fit: 3 to 5 among particles, but 14 on a face, half a spacing beyond
-// the last row, where the fit is therefore linear. The transition is smooth, so that histories do
-// not jump when particles pass.
-constexpr double wholly_quadratic = 5, wholly_linear = 10;
-
-double weight_of(double square, double radius) {
-  const double left = std::max(0., 1 - square / (radius * radius));
-  return left * left;
-}
 
 // Calls f(slot, r, square of r) for the particles that started around a point; r [h] is relative to
 // it. d + xi is the displacement, and node - d is where the particle started.
@@ -56,7 +48,7 @@ double material_strain(const Body<T, D>& body, const Vector& start, const std::s
       d[a] = static_cast<double>(body.stage[0].get(Field::displacement, a)[p]) +
              body.stage[0].get(Field::drift, a)[p];
     }
-    fit.add(r, weight_of(square, linear_radius), d);
+    fit.add(r, weight_of_value(square, linear_radius), d);
   });
   if (!fit.solve()) return std::numeric_limits<double>::quiet_NaN();
   std::array<Point<D>, D> gradient;
@@ -108,7 +100,7 @@ double strain_around(const LatticeView<T, D>& around, const Cell<D>& middle, con
       d[a] = (around.fields.get(Field::displacement, a)[p] + drift) / lattice.spacing;
       square += r[a] * r[a];
     }
-    fit.add(r, weight_of(square, reach), d);
+    fit.add(r, weight_of_value(square, reach), d);
   });
   if (!fit.solve()) return std::numeric_limits<double>::quiet_NaN();
   Eigen::Matrix<double, D, D> inverse = Eigen::Matrix<double, D, D>::Identity();
@@ -126,18 +118,13 @@ double strain_around(const LatticeView<T, D>& around, const Cell<D>& middle, con
 template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field) {
   if (field.starts_with("strain")) return material_strain(body, start, field);
-  LinearFit<D, 1> linear;
-  QuadraticFit<D, 1> quadratic;
+  FieldFit<D> fit;
   for_each_near(body, start, [&](std::int64_t p, const Point<D>& r, double square) {
     const double value = field_value<T, D>(body, body.stage[0], field, p);
-    linear.add(r, weight_of(square, linear_radius), {value});
-    quadratic.add(r, weight_of(square, quadratic_radius), {value});
+    fit.add(r, weight_of_value(square, linear_radius), weight_of_value(square, quadratic_radius),
+            value);
   });
-  if (!linear.solve()) return std::numeric_limits<double>::quiet_NaN();
-  if (!quadratic.solve()) return linear.value(0);
-  const double share = std::clamp(
-      (wholly_linear - quadratic.amplification()) / (wholly_linear - wholly_quadratic), 0., 1.);
-  return linear.value(0) + share * (quadratic.value(0) - linear.value(0));
+  return fit.value().value_or(no_value);
 }
 
 template double field_value(const Body<double, 2>&, const FieldStore<double, 2>&,

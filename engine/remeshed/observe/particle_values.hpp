@@ -19,7 +19,7 @@ template <class T, int D>
 double strain_around(const LatticeView<T, D>& around, const Cell<D>& cell, const Point<D>& x,
                      const std::string& field);
 
-/// A field, which may be a strain, at the material point that was at `start` [m] at t = 0: a linear
+/// A field, which may be a strain, at the material point that was at `start` [m] at t = 0: a
 /// fit over the particles that started around it. NaN if none remain.
 template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field);

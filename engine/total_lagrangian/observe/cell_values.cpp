@@ -6,8 +6,8 @@
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/field_components.hpp"
+#include "engine/method/field_fit.hpp"
 #include "engine/method/no_value.hpp"
-#include "engine/method/polynomial_fit.hpp"
 #include "engine/method/region_share.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
@@ -15,7 +15,7 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-constexpr double radius = 2.6;  // [h] radius of a fit
+constexpr double linear_radius = 2.6, quadratic_radius = 3.2;  // [h] radius of a fit
 
 // The value at a stress point of what particles have.
 template <class T, int D>
@@ -85,7 +85,7 @@ void for_each_cell(const Body<T, D>& body, F&& f) {
 
 template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field) {
-  LinearFit<D, 1> fit;
+  FieldFit<D> fit;
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
     Point<D> r = stress_point_place<T, D>(body, p, cell);
     double square = 0;
@@ -93,13 +93,14 @@ double material_value(const Body<T, D>& body, const Vector& start, const std::st
       r[a] = (r[a] - start[a]) / body.lattice.spacing;
       square += r[a] * r[a];
     }
-    const double fraction = square / (radius * radius);
-    if (fraction >= 1) return;
+    if (square >= quadratic_radius * quadratic_radius) return;
     // The stress of a cell that is nearly empty is that of a displacement that hardly counts.
-    fit.add(r, (1 - fraction) * (1 - fraction) * body.fraction[p],
-            {cell_value<T, D>(body, p, cell, field)});
+    const double share = body.fraction[p];
+    fit.add(r, share * weight_of_value(square, linear_radius),
+            share * weight_of_value(square, quadratic_radius),
+            cell_value<T, D>(body, p, cell, field));
   });
-  return fit.solve() ? fit.value(0) : no_value;
+  return fit.value().value_or(no_value);
 }
 
 template <class T, int D>

@@ -7,8 +7,8 @@
 
 namespace pliant::total_lagrangian {
 
-/// The value of a field at the place `start` of the undeformed body [m], from a linear fit over the
-/// cells around it. NaN where there are none.
+/// The value of a field at the place `start` of the undeformed body [m], from a fit over the cells
+/// around it. NaN where there are none.
 template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field);
 

@@ -100,7 +100,11 @@ TEST(cores, in_a_ring_or_ball_hold_it_where_it_is) {
         const bool guides_points = method == "point_based" && kind == "slip_wall" && across == 8;
         EXPECT_LT(errors.middle, dimension == 3 ? 0.02 : guides_points ? 0.025 : 0.006);
         EXPECT_LT(errors.outer, guides_points ? 0.02 : 0.007);
-        EXPECT_LT(errors.stress, dimension == 3 ? 0.13 : 0.015);
+        // Of quadratic fits; linear ones, which are several times worse inside, had 0.129 and
+        // 0.0149.
+        const double coarse = method == "point_based" ? 0.14 : 0.13;
+        const double fine = method == "point_based" ? 0.017 : 0.015;
+        EXPECT_LT(errors.stress, dimension == 3 ? coarse : fine);
       }
     }
   }

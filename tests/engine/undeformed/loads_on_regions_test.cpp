@@ -74,5 +74,27 @@ TEST(loads_on_regions, reach_the_floor_as_a_whole_wherever_their_regions_end) {
   }
 }
 
+// Below a load the stress varies with the square of the place. Linear fits to the values around a
+// point had 0.93 of it in the total Lagrangian method and 0.96 in the other, in 3D 0.88 and 0.94.
+TEST(loads_on_regions, press_with_the_stress_of_finer_bodies_between_the_particles) {
+  for (const std::string method : {"total_lagrangian", "point_based"}) {
+    const std::string text = fmt::format(
+        "dimension = 2\nmethod = \"{}\"\ndiscretisation = {{ spacing = 0.25, damping = "
+        "\"adaptive\" "
+        "}}\ntime.end = 3\n[[body]]\nname = \"block\"\ngeometry = {{ shape = \"box\", lower = [-1, "
+        "-1], upper = [1, 1] }}\nmaterial = {{ model = \"neo_hookean\", youngs_modulus = 100, "
+        "poissons_ratio = 0.3, density = 1 }}\n[[boundary]]\nname = \"load\"\nkind = \"pressure\"\n"
+        "pressure = \"5*min(t, 1)\"\ngeometry = {{ shape = \"box\", lower = [-0.5, 0.9], upper = "
+        "[0.5, 1.1] }}\n{}{}",
+        method, half_space("floor", "kind = \"fixed\"", "[0, -1]", "[0, 1]"),
+        measurement("stress",
+                    "kind = \"material_value\"\nfield = \"stress_yy\"\npoint = [0, 0.3]"));
+    const auto run = methods().make(tests::read_text(text), {});
+    run->advance(3);
+    constexpr double with_32_across = -3.815;
+    EXPECT_NEAR(values(*run)["stress"], with_32_across, 0.025 * 3.815) << method;
+  }
+}
+
 }  // namespace
 }  // namespace pliant::test
