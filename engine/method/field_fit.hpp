@@ -26,8 +26,9 @@ class FieldFit {
 
   /// None where the values do not determine even a linear fit.
   std::optional<double> value() {
-    // Amplification of a quadratic fit: 3 to 5 among particles, but 14 on a face, half a spacing
-    // beyond the last row, where the fit is therefore linear. The transition is smooth, so that
+    // Amplification of a quadratic fit: 3 to 5 among particles of a lattice, but 14 on a face, half
+    // a spacing beyond the last row, where the fit is therefore linear. It is also above 4 among
+    // few irregular nodes, whose values differ at random. The transition is smooth, so that
     // histories do not jump when particles pass.
     constexpr double wholly_quadratic = 4, wholly_linear = 8;
     if (!linear_.solve()) return std::nullopt;

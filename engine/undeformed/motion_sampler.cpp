@@ -81,7 +81,7 @@ template <class T, int D>
 void MotionSampler<T, D>::end(int block, Body<T, D>& body, const Kick<T>& kick) {
   OfBlock& of = blocks_[block];
   of.secant = secant_of(of, body, kick);
-  if (of.secant.inertia == 0) return;
+  if (of.secant.inertia_in_rounding > 0) return;
   for_each_change(of, body, kick, [&](int a, std::int64_t slot, T displacement, T force) {
     body.sampled_displacement[a][slot] = displacement;
     body.sampled_force[a][slot] = force;

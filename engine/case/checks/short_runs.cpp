@@ -15,9 +15,8 @@ void warn_of_short_runs(const Case& a_case, std::vector<std::string>& warnings) 
   if (a_case.boundaries.empty() || !(spacings < enough)) return;
   warnings.push_back(fmt::format(
       "waves pass through no more than {:.2g} spacings until the run ends: displacements that "
-      "begin "
-      "with it deviate by 5 % or more; use a finer spacing (discretisation.spacing = {:.3g} or "
-      "below)",
+      "begin with it deviate by 5 % or more; use a finer spacing (discretisation.spacing = {:.3g} "
+      "or below)",
       spacings, way / enough));
 }
 
