@@ -5,6 +5,7 @@
 #include "engine/case/checks/thickness.hpp"
 #include "engine/geometry/is_round.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/point_based/nodes/place_nodes.hpp"
 #include "engine/point_based/parameters.hpp"
 
 namespace pliant::point_based {
