@@ -39,37 +39,33 @@ void MotionSampler<T, D>::begin(int block, const Body<T, D>& body, std::int64_t 
   kept.first = first;
   kept.count = count;
   keep<T, D>(body.displacement, first, count, kept.displacement);
-  keep<T, D>(body.velocity, first, count, kept.velocity);
+  keep<T, D>(body.velocity, first, count, kept.velocity_or_force);
 }
 
 template <class T, int D>
-template <class F>
-void MotionSampler<T, D>::for_each_change(const OfBlock& of, const Body<T, D>& body,
-                                          const Kick<T>& kick, F&& f) {
+Secant MotionSampler<T, D>::compare(OfBlock& of, const Body<T, D>& body, const Kick<T>& kick) {
+  constexpr double noticed = 5;  // times what rounding adds
+  Secant found;
+  double square = 0, largest_mass = 0, displaced = 0;
   for (int a = 0; a < D; ++a) {
     for (std::int64_t i = 0; i < of.count; ++i) {
       const std::int64_t slot = of.first + i;
       if (!body.is_particle(slot)) continue;
-      const T change = body.velocity[a][slot] - kick.kept * of.velocity[a * of.count + i];
-      f(a, slot, of.displacement[a * of.count + i], body.mass[slot] * change / kick.gained);
+      const T displacement = of.displacement[a * of.count + i];
+      T& before = of.velocity_or_force[a * of.count + i];
+      const T change = body.velocity[a][slot] - kick.kept * before;
+      const T force = body.mass[slot] * change / kick.gained;
+      const double moved = double{displacement} - body.sampled_displacement[a][slot];
+      found.stiffness += moved * (double{body.sampled_force[a][slot]} - force);
+      found.inertia += body.mass[slot] * moved * moved;
+      before = force;
+      if constexpr (sizeof(T) == sizeof(float)) {
+        square += moved * moved;
+        largest_mass = std::max<double>(largest_mass, body.mass[slot]);
+        displaced = std::max<double>(displaced, std::abs(displacement));
+      }
     }
   }
-}
-
-template <class T, int D>
-Secant MotionSampler<T, D>::secant_of(const OfBlock& of, const Body<T, D>& body,
-                                      const Kick<T>& kick) {
-  constexpr double noticed = 5;  // times what rounding adds
-  Secant found;
-  double square = 0, largest_mass = 0, displaced = 0;
-  for_each_change(of, body, kick, [&](int a, std::int64_t slot, T displacement, T force) {
-    const double moved = double{displacement} - body.sampled_displacement[a][slot];
-    found.stiffness += moved * (double{body.sampled_force[a][slot]} - force);
-    found.inertia += body.mass[slot] * moved * moved;
-    square += moved * moved;
-    largest_mass = std::max<double>(largest_mass, body.mass[slot]);
-    displaced = std::max<double>(displaced, std::abs(displacement));
-  });
   if constexpr (sizeof(T) == sizeof(double)) return found;
   const double rounding =
       noticed * rounded_force(body, largest_mass, displaced) * std::sqrt(square);
@@ -80,12 +76,16 @@ Secant MotionSampler<T, D>::secant_of(const OfBlock& of, const Body<T, D>& body,
 template <class T, int D>
 void MotionSampler<T, D>::end(int block, Body<T, D>& body, const Kick<T>& kick) {
   OfBlock& of = blocks_[block];
-  of.secant = secant_of(of, body, kick);
+  of.secant = compare(of, body, kick);
   if (of.secant.inertia_in_rounding > 0) return;
-  for_each_change(of, body, kick, [&](int a, std::int64_t slot, T displacement, T force) {
-    body.sampled_displacement[a][slot] = displacement;
-    body.sampled_force[a][slot] = force;
-  });
+  for (int a = 0; a < D; ++a) {
+    for (std::int64_t i = 0; i < of.count; ++i) {
+      const std::int64_t slot = of.first + i;
+      if (!body.is_particle(slot)) continue;
+      body.sampled_displacement[a][slot] = of.displacement[a * of.count + i];
+      body.sampled_force[a][slot] = of.velocity_or_force[a * of.count + i];
+    }
+  }
 }
 
 template <class T, int D>

@@ -41,17 +41,14 @@ class MotionSampler {
 
  private:
   struct OfBlock {
-    std::int64_t first = 0, count = 0;      ///< of its slots
-    std::vector<T> displacement, velocity;  ///< [axis][slot]
+    std::int64_t first = 0, count = 0;  ///< of its slots
+    std::vector<T> displacement;        ///< [axis][slot]
+    std::vector<T> velocity_or_force;   ///< [axis][slot] velocity before the kick, then the force
     Secant secant;
   };
-  /// Calls f(axis, slot, displacement, force) with those of now.
-  template <class F>
-  static void for_each_change(const OfBlock& of, const Body<T, D>& body, const Kick<T>& kick,
-                              F&& f);
   /// The motion of a block since the last sample; in single precision only what it is at most where
   /// it is so small that its forces are lost in rounding.
-  static Secant secant_of(const OfBlock& of, const Body<T, D>& body, const Kick<T>& kick);
+  static Secant compare(OfBlock& of, const Body<T, D>& body, const Kick<T>& kick);
 
   std::vector<OfBlock> blocks_;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace pliant::undeformed {
 
@@ -24,11 +23,8 @@ struct Secant {
   }
   /// The Rayleigh quotient, 0 where the stiffness is negative [1/s^2].
   double frequency2() const { return stiffness > 0 && inertia > 0 ? stiffness / inertia : 0; }
-  /// What it is at most if nothing has moved enough [1/s^2].
-  double most_frequency2() const {
-    return inertia_in_rounding > 0 ? rounding / inertia_in_rounding
-                                   : std::numeric_limits<double>::infinity();
-  }
+  /// What it is at most where all is lost in rounding [1/s^2].
+  double most_frequency2() const { return rounding / inertia_in_rounding; }
 };
 
 /// Steps until the next sample after one that has found the frequency `omega` [1/s], `last` steps

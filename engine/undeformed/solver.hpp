@@ -230,13 +230,17 @@ StepFailure Solver<State, Step, Measurer>::failure(const Overlap& overlap) const
 template <class State, class Step, class Measurer>
 void Solver<State, Step, Measurer>::damp_critically(const Advance& advance, const Secant& secant) {
   Clock& clock = state_.clock;
+  const auto wait = [&](double omega) {
+    clock.sample_interval = steps_until_sample(omega, advance.length, clock.sample_interval);
+  };
   if (secant.inertia > 0) {
     const double omega = std::sqrt(secant.frequency2() / clock.mass_scaling);
     clock.damping = std::min(2 * omega, 1 / advance.length);
-    clock.sample_interval = steps_until_sample(omega, advance.length, clock.sample_interval);
-  } else {
+    wait(omega);
+  } else if (secant.inertia_in_rounding > 0) {
     const double most = std::sqrt(secant.most_frequency2() / clock.mass_scaling);
     clock.damping = std::min(clock.damping, 2 * most);
+    wait(clock.damping / 2);
   }
   clock.next_sample += clock.sample_interval;
 }

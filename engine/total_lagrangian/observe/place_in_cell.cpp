@@ -11,7 +11,7 @@ namespace {
 
 constexpr double rounding = 1e-9;   // [h] a point on a face that is outside by that is inside
 constexpr double tolerance = 1e-6;  // of places in a cell
-constexpr int iterations = 12;
+constexpr int newton_steps = 12;
 
 template <class T, int D>
 PlaceInCell<D> on_lattice(const Body<T, D>& body, const Point<D>& x) {
@@ -40,7 +40,7 @@ std::optional<PlaceInCell<D>> in_cell(const Body<T, D>& body, const Cell<D>& cel
   PlaceInCell<D> place{cell, {}};
   place.at.fill(0.5);
   bool is_found = false;
-  for (int k = 0; k < iterations && !is_found; ++k) {
+  for (int k = 0; k < newton_steps && !is_found; ++k) {
     Vec rest = Eigen::Map<const Vec>(x.data());
     Eigen::Matrix<double, D, D> slope = Eigen::Matrix<double, D, D>::Zero();
     for (int c = 0; c < (1 << D); ++c) {
