@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 
+#include "engine/method/bulk_history.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 
@@ -63,8 +64,12 @@ void Measurer<T, D>::add_strain(int index, BodyIntegrals& sum) const {
     for (const std::int32_t slot : elements.slots[e]) collected[slot] += volume * theta / (D + 1);
   }
   if (!elements.averages()) return;
+  const BulkHistory<T> history = {body.prony, body.memory_pressure, body.volume_change, modulus,
+                                  body.memory_age};
   body.for_each_node([&](std::int64_t slot) {
-    sum.strain_energy += modulus / 2 * collected[slot] * collected[slot] / body.volume[slot];
+    const double theta = collected[slot] / body.volume[slot];
+    const double relaxed = relaxed_pressure(history, slot, theta).energy;
+    sum.strain_energy += body.volume[slot] * (modulus / 2 * theta * theta + relaxed);
   });
 }
 

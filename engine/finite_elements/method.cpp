@@ -23,11 +23,23 @@ namespace pliant::finite_elements {
 
 namespace {
 
+// Elements without averages have no memory.
+void check_relaxation(const Check& check, std::size_t i) {
+  const BodyCase& body = check.a_case.bodies[i];
+  if (body.prony.empty() || parameters_of(check.a_case).pressure == ElementPressure::averaged) {
+    return;
+  }
+  check.problems.add(check.place("body", i, "material"),
+                     fmt::format("the pressure of body \"{}\" relaxes in time", body.name),
+                     "give finite_elements.pressure = \"averaged\"");
+}
+
 void check(const Check& check) {
   const Case& a_case = check.a_case;
   refuse_tables(check, {"periodic", "cut"});
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) {
     point_based::check_body(check, i);
+    check_relaxation(check, i);
     if (point_based::has_elements(a_case.bodies[i].geometry)) continue;
     check.problems.add(
         check.place("body", i, "geometry"),

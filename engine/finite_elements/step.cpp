@@ -12,7 +12,7 @@
 //     drift       displacement at the time of the kick: half a step on for the leapfrog (PB.10)
 //     loads       forces of pressures (PB.11), tractions and gravity (PB.15) on each node
 //     dilatation  change of volume of each element, distributed to its corners (FE.3)
-//     pressure    of each node, from what its elements have collected (FE.4)
+//     pressure    of each node, from what its elements have collected (FE.4), (FE.8)
 //     forces      F of each element, the stress, and the forces on its corners (FE.1)-(FE.5)
 //     motion      the force on each node; velocity and displacement (PB.10); the velocity that
 //                 walls prescribe, and the work of walls and loads
@@ -134,6 +134,7 @@ void Step<T, D>::evaluate_pressures(int block) {
   work.force = body.force.get() + kernels::point_stride * range.first_point();
   work.modulus = elements.volumetric_modulus;
   work.volume = body.volume.get();
+  work.bulk = nodes_.bulk_relaxation(block);
   work.pressure = elements.pressure.get();
   kernels_.evaluate_nodal_pressures(work);
 }

@@ -105,7 +105,10 @@ struct Body : undeformed::Body<T, D> {
   std::array<Buffer<T>, symmetric> moment, strain;
   Buffer<T> share;       ///< share in the volume of its group, (PB.60); only with groups
   T shared_modulus = 0;  ///< [Pa]
-  std::vector<kernels::PronyTerm<double>> prony_shear;  ///< of the material
+  std::vector<kernels::PronyTerm<double>> prony;  ///< of the bulk modulus of the material
+  std::vector<Buffer<T>> memory_pressure;         ///< [term] p_i of (PB.70) at the last forces [Pa]
+  Buffer<T> volume_change;                        ///< theta there; only with `prony`
+  std::vector<kernels::PronyTerm<double>> prony_shear;  ///< of its shear modulus
   /// [tensor * network_components + component] A_i - I of (TL.24) at the last forces, and then
   /// J^(2/3) C^-1 - I; empty without `prony_shear`.
   std::vector<Buffer<T>> network;
@@ -218,6 +221,8 @@ struct Body : undeformed::Body<T, D> {
     f(field_list[Field::end_velocity], span(body.end_velocity));
     f(field_list[Field::velocity_gain], span(body.velocity_gain));
     if (body.is_viscous()) f(field_list[Field::strain], span(body.strain));
+    f(field_list[Field::memory_pressure], span(body.memory_pressure));
+    f(field_list[Field::volume_change], span(&body.volume_change, body.prony.empty() ? 0 : 1));
     f(field_list[Field::network], span(body.network));
     if (body.is_sampled()) {
       f(field_list[Field::sampled_displacement], span(body.sampled_displacement));

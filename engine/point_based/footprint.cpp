@@ -42,6 +42,9 @@ Footprint footprint(const Case& a_case, const BodyCase& body) {
   const double bond = sizeof(double) * (dimension + 1.0) + 2, candidate = 16;
   footprint.bytes_per_particle =
       neighbour_count(a_case) * (bond + candidate) + sizeof(double) * (8.0 * dimension + 30);
+  if (!body.prony.empty()) {
+    footprint.bytes_per_particle += sizeof(double) * (static_cast<double>(body.prony.size()) + 1);
+  }
   if (!body.prony_shear.empty()) {
     const int components = dimension == 2 ? 4 : 6;
     footprint.bytes_per_particle +=

@@ -187,11 +187,6 @@ StepLimits step_limits(const Case& a_case) {
 
 void check_body(const Check& check, std::size_t i) {
   const BodyCase& body = check.a_case.bodies[i];
-  if (!body.material_as_given.prony.ratios.empty()) {
-    check.problems.add(
-        check.place("body", i, "material"), fmt::format("body \"{}\" relaxes in time", body.name),
-        fmt::format("method \"{}\" takes materials without prony", check.a_case.method));
-  }
   if (body.stretch != Vector{1, 1, 1}) {
     check.problems.add(
         check.place("body", i, "stretch"), fmt::format("body \"{}\" starts stretched", body.name),

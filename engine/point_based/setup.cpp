@@ -38,6 +38,8 @@ void take_material(const BodyCase& source, Body<T, D>& body) {
   const double lasting = long_term_share(source.prony_shear);
   for (double& coefficient : material.polynomial.coefficient) coefficient *= lasting;
   body.material = kernels::with_scalar<T>(material);
+  body.prony = source.prony;
+  body.memory_pressure.resize(body.prony.size());
   body.prony_shear = source.prony_shear;
   body.network.resize(undeformed::network_arrays<D>(body.prony_shear.size()));
 }

@@ -27,7 +27,7 @@ struct State : undeformed::State<D> {
     if (body >= cuts.size() || !cuts[body]) return {};
     return cuts[body]->surfaces();
   }
-  /// Sets the time since the networks of the bodies were advanced, at `forces` [s].
+  /// Sets the time since the memory of the bodies was advanced, at `forces` [s].
   void age_memory(double forces) {
     for (Body<T, D>& body : bodies) body.memory_age = std::max(0., this->clock.time - forces);
   }

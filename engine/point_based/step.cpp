@@ -54,8 +54,8 @@ template <class T, int D>
 void Step<T, D>::prepare_blocks() {
   results_.assign(state_.blocks.size(), {});
   sampler_.prepare_blocks(state_.blocks.size());
-  networks_.clear();
-  for (const Body<T, D>& body : state_.bodies) networks_.emplace_back(body.prony_shear);
+  memory_.clear();
+  for (const Body<T, D>& body : state_.bodies) memory_.emplace_back(body);
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
   body_contact_.take_surfaces(state_.bodies);
@@ -161,9 +161,7 @@ void Step<T, D>::prepare(const Advance& advance) {
     state_.cuts[b]->load(advance.time, advance.length, state_.bodies[b], state_.blades);
   }
   const double since = is_leapfrog(settings_) ? advance.kick() : advance.previous;
-  for (std::size_t b = 0; b < networks_.size(); ++b) {
-    networks_[b].prepare(since, state_.bodies[b].network, state_.bodies[b].network);
-  }
+  for (std::size_t b = 0; b < memory_.size(); ++b) memory_[b].prepare(since, state_.bodies[b]);
   const double middle = advance.time + advance.length / 2;
   loads_.prepare(is_leapfrog(settings_) ? middle : advance.time);
   work_.prepare({advance.time, advance.length, advance.length, drift_length()});
@@ -233,7 +231,9 @@ void Step<T, D>::evaluate_forces(int block) {
   arguments.viscosity =
       static_cast<T>(parameters_of(settings_).stiffness_damping / advance_.length);
   arguments.examine = advance_.examine || cuts_have_moved_;
-  arguments.networks = networks_[state_.blocks[block].body].networks();
+  const undeformed::BodyMemory<T>& memory = memory_[state_.blocks[block].body];
+  arguments.networks = memory.shear.networks();
+  arguments.bulk = memory.bulk.relaxation();
   const auto& cuts = state_.cuts[state_.blocks[block].body];
   if (cuts && !cuts->keeps_gradients(local)) arguments.kept = {};
   results_[block].forces = kernels_.evaluate_forces(arguments);

@@ -6,11 +6,11 @@
 #include "engine/point_based/forces/node_loads.hpp"
 #include "engine/point_based/state.hpp"
 #include "engine/undeformed/advance.hpp"
+#include "engine/undeformed/body_memory.hpp"
 #include "engine/undeformed/boundary_work.hpp"
 #include "engine/undeformed/contact/body_contact.hpp"
 #include "engine/undeformed/contact/wall_contact.hpp"
 #include "engine/undeformed/motion_sampler.hpp"
-#include "engine/undeformed/network_memory.hpp"
 #include "kernels/point_based/table.hpp"
 #include "scheduler/phase.hpp"
 
@@ -47,6 +47,11 @@ class Step {
   void move(int block);
   /// Called when velocities are final.
   void end_motion(int block);
+
+  /// The relaxing pressures of the body of a block.
+  kernels::BulkRelaxation<T> bulk_relaxation(int block) const {
+    return memory_[state_.blocks[block].body].bulk.relaxation();
+  }
 
   bool loads_act() const { return loads_.act_on_blocks(); }
   /// Whether velocities change after `move`.
@@ -98,7 +103,7 @@ class Step {
   undeformed::BodyContact<T, D> body_contact_;
   std::vector<BlockResult> results_;  ///< [block]
   undeformed::MotionSampler<T, D> sampler_;
-  std::vector<undeformed::NetworkMemory<T>> networks_;  ///< [body]
+  std::vector<undeformed::BodyMemory<T>> memory_;  ///< [body]
 };
 
 extern template class Step<double, 2>;

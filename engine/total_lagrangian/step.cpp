@@ -54,7 +54,8 @@ std::vector<Phase> Step<T, D>::phases() {
   body_contact_.take_surfaces(state_.bodies);
   contact_.take_surfaces(state_.bodies, undeformed::ImpulseCarriers::all);
   reserve_forces();
-  prepare_memory();
+  memory_.clear();
+  for (const Body<T, D>& body : state_.bodies) memory_.emplace_back(body);
   std::vector<Phase> phases;
   PhaseRows rows(phases);
   if (!state_.boundaries.pressures.empty()) {
@@ -107,15 +108,10 @@ void Step<T, D>::prepare(const Advance& advance) {
   body_contact_.prepare(advance.kick(), advance.length, advance.length);
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
-    list_memory(b);
     memory_[b].shear.prepare(advance.previous, body.network, body.next_network);
-    const auto relaxation = [&](const kernels::PronyTerm<double>& term, T modulus) {
-      return kernels::relaxation<T>({static_cast<T>(term.ratio), static_cast<T>(term.time)},
-                                    modulus, advance.previous);
-    };
-    for (std::size_t i = 0; i < body.prony.size(); ++i) {
-      memory_[b].bulk[i] = relaxation(body.prony[i], body.material.polynomial.bulk_modulus);
-    }
+    memory_[b].bulk.prepare(advance.previous, body.material.polynomial.bulk_modulus,
+                            {body.memory_pressure, body.volume_change},
+                            {body.next_memory_pressure, body.next_volume_change});
   }
 }
 
@@ -152,43 +148,6 @@ StepResult Step<T, D>::fold() {
   if (advance_.samples) result.secant = sampler_.secant();
   result.overlap = body_contact_.deepest();
   return result;
-}
-
-template <class T, int D>
-void Step<T, D>::prepare_memory() {
-  memory_.clear();
-  for (const Body<T, D>& body : state_.bodies) {
-    memory_.push_back({std::vector<kernels::Relaxation<T>>(body.prony.size()),
-                       {},
-                       {},
-                       undeformed::NetworkMemory<T>(body.prony_shear)});
-  }
-}
-
-// The arrays of the terms are swapped after every step.
-template <class T, int D>
-void Step<T, D>::list_memory(std::size_t b) {
-  const auto list = [](std::vector<Buffer<T>>& arrays, std::vector<T*>& listed) {
-    listed.resize(arrays.size());
-    for (std::size_t i = 0; i < arrays.size(); ++i) listed[i] = arrays[i].get();
-  };
-  Body<T, D>& body = state_.bodies[b];
-  list(body.memory_pressure, memory_[b].pressure);
-  list(body.next_memory_pressure, memory_[b].next_pressure);
-}
-
-template <class T, int D>
-kernels::CellViscosity<T> Step<T, D>::viscosity(int b) {
-  Body<T, D>& body = state_.bodies[b];
-  const BodyMemory<T>& memory = memory_[b];
-  kernels::CellViscosity<T> viscosity;
-  viscosity.terms = static_cast<int>(body.prony.size());
-  viscosity.relaxation = memory.bulk.data();
-  viscosity.pressure = memory.pressure.data();
-  viscosity.next_pressure = memory.next_pressure.data();
-  viscosity.volume_change = body.volume_change.get();
-  viscosity.next_volume_change = body.next_volume_change.get();
-  return viscosity;
 }
 
 template <class T, int D>
@@ -237,8 +196,9 @@ void Step<T, D>::move(int block) {
   work.first_slot = range.first_slot;
   work.slot_count = range.slot_count;
   set_cells(body, local, work);
-  work.viscosity = viscosity(state_.blocks[block].body);
-  work.networks = memory_[state_.blocks[block].body].shear.networks();
+  const undeformed::BodyMemory<T>& memory = memory_[state_.blocks[block].body];
+  work.bulk = memory.bulk.relaxation();
+  work.networks = memory.shear.networks();
   set_particles(body, work);
   std::array<Buffer<T>, D>& force = force_[std::max(workers_.index(), 0)];
   for (int a = 0; a < D; ++a) work.force[a] = force[a].get();

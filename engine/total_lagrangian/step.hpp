@@ -6,10 +6,10 @@
 #include "engine/total_lagrangian/boundary_forces.hpp"
 #include "engine/total_lagrangian/state.hpp"
 #include "engine/undeformed/advance.hpp"
+#include "engine/undeformed/body_memory.hpp"
 #include "engine/undeformed/contact/body_contact.hpp"
 #include "engine/undeformed/contact/wall_contact.hpp"
 #include "engine/undeformed/motion_sampler.hpp"
-#include "engine/undeformed/network_memory.hpp"
 #include "kernels/total_lagrangian/table.hpp"
 #include "scheduler/phase.hpp"
 #include "scheduler/workers.hpp"
@@ -21,14 +21,6 @@ using undeformed::Advance;
 /// Results of a step about the state at its end.
 struct StepResult : undeformed::StepResult {
   double wave_speed = 0;  ///< of (TL.9) [m/s]; 0 unless the step computed it
-};
-
-/// The memory of a viscous body as kernels read it.
-template <class T>
-struct BodyMemory {
-  std::vector<kernels::Relaxation<T>> bulk;  ///< [term], since the last step
-  std::vector<T*> pressure, next_pressure;   ///< [term]
-  undeformed::NetworkMemory<T> shear;
 };
 
 /// The phases of one time step: the method in the order of its equations.
@@ -52,9 +44,6 @@ class Step {
   bool bodies_touch() const { return contact_.is_expected() || body_contact_.exists(); }
   void meet_walls();
   void meet_attached_walls();
-  void prepare_memory();
-  void list_memory(std::size_t body);
-  kernels::CellViscosity<T> viscosity(int body);
   void set_cells(const Body<T, D>& body, int local, kernels::Motion<T, D>& work) const;
   void set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) const;
   void reserve_forces();
@@ -80,9 +69,9 @@ class Step {
   undeformed::WallContact<T, D> contact_;
   undeformed::BodyContact<T, D> body_contact_;
   scheduler::Workers& workers_;
-  std::vector<BodyMemory<T>> memory_;            ///< [body]
-  std::vector<std::array<Buffer<T>, D>> force_;  ///< [worker], for one block at a time [N]
-  std::vector<kernels::MotionResult> results_;   ///< [block]
+  std::vector<undeformed::BodyMemory<T>> memory_;  ///< [body]
+  std::vector<std::array<Buffer<T>, D>> force_;    ///< [worker], for one block at a time [N]
+  std::vector<kernels::MotionResult> results_;     ///< [block]
   undeformed::MotionSampler<T, D> sampler_;
 };
 

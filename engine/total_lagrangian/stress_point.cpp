@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/method/bulk_history.hpp"
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/method/networks.hpp"
@@ -51,26 +52,6 @@ double volumetric_energy(const kernels::Material<double>& material, double j) {
     default:
       return modulus / 2 * (j - 1) * (j - 1);
   }
-}
-
-/// Present parts of the bulk Prony terms in the pressure and in the energy per volume (RP.64).
-struct Memory {
-  double pressure = 0, energy = 0;
-};
-
-// (RP.22) advances the p_i from the last stress evaluation to the present.
-template <class T, int D>
-Memory relaxed_memory(const Body<T, D>& body, std::int64_t slot, double volume_change) {
-  Memory sum;
-  for (std::size_t i = 0; i < body.prony.size(); ++i) {
-    const double modulus = body.material.polynomial.bulk_modulus;
-    const auto term = kernels::relaxation<double>(body.prony[i], modulus, body.memory_age);
-    const double p = term.decay * body.memory_pressure[i][slot] +
-                     term.start * body.volume_change[slot] + term.end * volume_change;
-    sum.pressure += p;
-    sum.energy += kernels::relaxed_energy<double>(body.prony[i], modulus, p, volume_change);
-  }
-  return sum;
 }
 
 template <int D>
@@ -167,7 +148,9 @@ double take_polynomial(const Body<T, D>& body, const kernels::Material<double>& 
                        const CellShape<D>& shape, StressPoint<D>& point) {
   const auto stress = kernels::polynomial_stress<Pack, D>(material, state, Pack(0.0));
   const double j = point.volume_ratio;
-  const Memory relaxed = relaxed_memory(body, slot, j - 1);
+  const BulkHistory<T> history = {body.prony, body.memory_pressure, body.volume_change,
+                                  body.material.polynomial.bulk_modulus, body.memory_age};
+  const RelaxedPressure relaxed = relaxed_pressure(history, slot, j - 1);
   point.pressure = relaxed.pressure -
                    kernels::volumetric_slope(material, state.volume_ratio, Pack(1 / j)).get(0);
   for (int i = 0; i < D; ++i) point.stress[kernels::symmetric_index<D>(i, i)] = -point.pressure;

@@ -36,17 +36,19 @@ struct ElementBlock {
   T* force;  ///< [count + halo_count][point_stride] sums at corners
 };
 
-/// Computes the pressures of the nodes of a block, (FE.4), from the sums that elements have added.
+/// Computes the pressures of the nodes of a block, (FE.4) and (FE.8), from the sums that elements
+/// have added.
 template <class T>
 struct NodalPressures {
   std::int64_t first;
   int count;
   const CollectedForces<T>* collected;  ///< by other blocks
   int collected_count;
-  T* force;         ///< [count][point_stride] own sums; at the end those of all blocks [m^D]
-  T modulus;        ///< Lambda of (FE.3) [Pa]
-  const T* volume;  ///< [slot] V [m^D], 0 where there is no node
-  T* pressure;      ///< [slot] [Pa]
+  T* force;                ///< [count][point_stride] own sums; at the end those of all blocks [m^D]
+  T modulus;               ///< Lambda of (FE.3) [Pa]
+  const T* volume;         ///< [slot] V [m^D], 0 where there is no node
+  BulkRelaxation<T> bulk;  ///< [slot] read and updated; without terms: none
+  T* pressure;             ///< [slot] [Pa]
 };
 
 }  // namespace pliant::kernels

@@ -31,7 +31,25 @@ void collect_dilatation(const ElementBlock<Scalar<P>, D>& block) {
   }
 }
 
-/// See NodalPressures. Depends on `P` so that each instruction set has its own function.
+/// The sum of the p_i at a node, advanced by (RP.22).
+template <class P>
+Scalar<P> relaxed_pressure(const BulkRelaxation<Scalar<P>>& bulk, std::int64_t slot,
+                           Scalar<P> end) {
+  using T = Scalar<P>;
+  T sum(0);
+  for (int i = 0; i < bulk.terms; ++i) {
+    const Relaxation<T>& term = bulk.relaxation[i];
+    T& pressure = bulk.next_pressure[i][slot];
+    pressure = term.decay * bulk.pressure[i][slot] + term.start * bulk.volume_change[slot] +
+               term.end * end;
+    sum += pressure;
+  }
+  bulk.next_volume_change[slot] = end;
+  return sum;
+}
+
+/// See NodalPressures. This and `relaxed_pressure` depend on `P` so that each instruction set has
+/// its own function.
 template <class P>
 void evaluate_nodal_pressures(const NodalPressures<Scalar<P>>& block) {
   using T = Scalar<P>;
@@ -44,8 +62,9 @@ void evaluate_nodal_pressures(const NodalPressures<Scalar<P>>& block) {
   for (int i = 0; i < block.count; ++i) {
     const std::int64_t slot = block.first + i;
     const T volume = block.volume[slot];
-    block.pressure[slot] =
-        volume > 0 ? -block.modulus * block.force[point_stride * i] / volume : T(0);
+    const T theta = volume > 0 ? -block.force[point_stride * i] / volume : T(0);
+    block.pressure[slot] = block.modulus * theta;
+    if (block.bulk.terms > 0) block.pressure[slot] -= relaxed_pressure<P>(block.bulk, slot, theta);
   }
 }
 

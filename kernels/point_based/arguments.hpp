@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "kernels/bulk_relaxation.hpp"
 #include "kernels/hyperelastic_material.hpp"
 #include "kernels/layout.hpp"
 #include "kernels/networks.hpp"
@@ -57,6 +58,7 @@ struct PointForces {
   bool examine;      ///< whether to compute PointForcesResult
   HyperelasticMaterial<T> material;  ///< coefficients without the share that relaxes, (TL.24)
   Networks<T> networks;              ///< [slot] read and updated; without terms: none
+  BulkRelaxation<T> bulk;            ///< [slot] read and updated; without terms: none
   T* point;  ///< [count + halo_count][point_stride] scratch for displacements
   T* force;  ///< [count + halo_count][point_stride] [N]
 };

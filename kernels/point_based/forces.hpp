@@ -6,7 +6,8 @@
 #include "kernels/point_based/bonds_of_register.hpp"
 #include "kernels/point_based/collect_points.hpp"
 #include "kernels/point_based/groups_of_register.hpp"
-#include "kernels/point_based/networks_of_register.hpp"
+#include "kernels/point_based/kept_gradient.hpp"
+#include "kernels/point_based/memory_of_register.hpp"
 #include "kernels/point_based/point_lanes.hpp"
 #include "kernels/stiffening.hpp"
 
@@ -14,36 +15,8 @@
 /// displacements -> F -> P -> forces along the bonds.
 namespace pliant::kernels {
 
-/// c += a b.
-template <class P, int D>
-inline void add_product(const P (&a)[D * D], const P (&b)[D * D], P (&c)[D * D]) {
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) {
-#pragma GCC unroll 3
-    for (int j = 0; j < D; ++j) {
-#pragma GCC unroll 3
-      for (int k = 0; k < D; ++k) c[D * i + j] = fused(a[D * i + k], b[D * k + j], c[D * i + j]);
-    }
-  }
-}
-
-/// Replaces F by F D of (PB.14), if nodes have kept gradients.
-template <class P, int D>
-inline void apply_kept(const PointForces<Scalar<P>, D>& block, std::int64_t slot, P (&f)[D * D],
-                       P (&kept)[D * D]) {
-  using T = Scalar<P>;
-  P fit[D * D];
-#pragma GCC unroll 9
-  for (int c = 0; c < D * D; ++c) {
-    kept[c] = load<P>(block.kept[c] + slot);
-    fit[c] = f[c];
-    f[c] = P(T(0));
-  }
-  add_product<P, D>(fit, kept, f);
-}
-
 /// B = V (P - kappa (F - I) A) of (PB.5), plus the viscous stress (PB.9); adds pressure, (PB.11).
-/// `shared` is the part of groups in the derivative of psi with respect to theta.
+/// `shared` is the part of groups and of relaxation in the derivative of psi with respect to theta.
 template <ElasticLaw law, class P, int D>
 inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
                             const P& shared, const P (&h)[D * D], P (&b)[D * D], P (&pressure)[D]) {
@@ -58,7 +31,9 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
   }
   cofactor(f, cof);
   first_piola<law, P, D>(block.material, f, cof, b);
-  if (block.share != nullptr) add_volumetric_stress<law, P, D>(shared, f, cof, b);
+  if (block.share != nullptr || block.bulk.terms > 0) {
+    add_volumetric_stress<law, P, D>(shared, f, cof, b);
+  }
   if (block.strain[0] != nullptr) {
     P e[symmetric], rate[symmetric], s[symmetric];
     green_strain<P, D>(f, e);
@@ -243,6 +218,9 @@ inline void add_forces_of_registers(const PointForces<Scalar<P>, D>& block, int 
     if (block.examine) examine_register<law, P, D>(block, block.first + first, h[r], result);
   }
   if (block.share != nullptr) shared_pressure<law, P, D>(block, block.first + local, h, shared);
+  if constexpr (law == ElasticLaw::reduced_polynomial) {
+    if (block.bulk.terms > 0) relax_nodes<P, D>(block, block.first + local, h, shared);
+  }
 #pragma GCC unroll 2
   for (int r = 0; r < registers; ++r) {
     const int first = local + r * lanes<P>;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "kernels/bulk_relaxation.hpp"
 #include "kernels/hyperelastic_material.hpp"
 #include "kernels/layout.hpp"
 #include "kernels/networks.hpp"
@@ -72,19 +73,8 @@ struct CutPack {
   alignas(64) T moment[1 << D][slots_per_pack];  ///< [mode][lane]; 1, 0, 0, ... in whole cells
 };
 
-/// The p_i of (RP.10) at the stress points of a body; a body without Prony terms has none.
-template <class T>
-struct CellViscosity {
-  int terms = 0;
-  const Relaxation<T>* relaxation = nullptr;  ///< [term], since the last stress evaluation
-  const T* const* pressure = nullptr;         ///< [term][slot] p_i at the last stress [Pa]
-  T* const* next_pressure = nullptr;          ///< [term][slot] p_i at this stress [Pa]
-  const T* volume_change = nullptr;           ///< [slot] J - 1 at the last stress
-  T* next_volume_change = nullptr;            ///< [slot] J - 1 at this stress
-};
-
 /// Computes the stress of the cells around the particles of a block, (TL.3)-(TL.6), and moves these
-/// particles, (TL.5), (TL.8). Reads `displacement`, `fraction` and the viscosity also in
+/// particles, (TL.5), (TL.8). Reads `displacement`, `fraction` and `bulk` also in
 /// neighbouring blocks; writes arrays that no block reads.
 template <class T, int D>
 struct Motion {
@@ -101,7 +91,7 @@ struct Motion {
   T gained;      ///< velocity per force over mass [s], (TL.8)
   T time_step;
   HyperelasticMaterial<T> material;  ///< coefficients without the share that relaxes, (TL.24)
-  CellViscosity<T> viscosity;
+  BulkRelaxation<T> bulk;
   Networks<T> networks;
   const T* fraction;        ///< [slot] share of the cell that the body fills; 0 in fitted cells
   const std::int32_t* cut;  ///< [slot / slots_per_pack] number in `cut_packs`

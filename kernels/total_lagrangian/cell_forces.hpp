@@ -4,7 +4,6 @@
 #include "kernels/total_lagrangian/cell_energy.hpp"
 #include "kernels/total_lagrangian/corner_modes.hpp"
 #include "kernels/total_lagrangian/hourglass.hpp"
-#include "kernels/total_lagrangian/viscosity.hpp"
 
 /// Functions for the stress points of both regular and fitted cells.
 namespace pliant::kernels {

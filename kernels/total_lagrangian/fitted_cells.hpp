@@ -156,7 +156,7 @@ template <ElasticLaw law, bool relaxes, class P, int D>
   CellState<P, D> state;
   fitted_state<P, D>(group, weights, slope, inverse, mode, start, state);
   const FittedSlots<P, D> slots = {block, group};
-  const P pressure = relax_pressures<P, D>(block.viscosity, state, slots);
+  const P pressure = relax_pressures<P>(block.bulk, state.volume_ratio - P(T(1)), slots);
   CellStress<P, D> stress = cell_stress<law, P, D>(block.material, state, pressure);
   P networks(T(0));
   if constexpr (relaxes) {

@@ -154,7 +154,7 @@ template <ElasticLaw law, bool relaxes, bool cut, class P, int D>
     CellState<P, D> state;
     regular_state<P, D>(weights, slope, inside, mode, state);
     const RegularSlots<P> slots = {slot, inside, run.own && along >= 0};
-    const P pressure = relax_pressures<P, D>(block.viscosity, state, slots);
+    const P pressure = relax_pressures<P>(block.bulk, state.volume_ratio - P(T(1)), slots);
     CellStress<P, D> stress = cell_stress<law, P, D>(block.material, state, pressure);
     P networks(T(0));
     if constexpr (relaxes) {

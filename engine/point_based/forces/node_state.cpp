@@ -6,6 +6,7 @@
 #include "engine/method/initial_stress.hpp"
 #include "engine/method/networks.hpp"
 #include "engine/point_based/forces/degenerate_nodes.hpp"
+#include "engine/point_based/forces/node_pressure.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::point_based {
@@ -29,25 +30,16 @@ const DegenerateNode<D>* degenerate_node(const Body<T, D>& body, const NodeBlock
   return nullptr;
 }
 
-template <int D>
-auto matrix_of(const std::array<double, D * D>& f) {
-  return Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>(f.data());
-}
-
 /// The stress of the networks of a node, (TL.24).
 template <class T, int D>
 NetworkStress<D> networks_at(const Body<T, D>& body, std::int64_t slot,
                              const std::array<double, D * D>& f) {
   if (body.network.empty()) return {};
   Eigen::Matrix3d full = Eigen::Matrix3d::Identity();
-  full.topLeftCorner<D, D>() = matrix_of<D>(f);
+  full.topLeftCorner<D, D>() =
+      Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>(f.data());
   return network_stress<T, D>(kernels::with_scalar<double>(body.material).polynomial,
                               {body.prony_shear, body.network, body.memory_age}, slot, full);
-}
-
-template <class T, int D>
-bool counts_green_strain(const Body<T, D>& body) {
-  return body.material.law == kernels::ElasticLaw::st_venant_kirchhoff;
 }
 
 }  // namespace
@@ -98,52 +90,10 @@ double strain_energy(const Body<T, D>& body, const NodeBlock& block, std::int64_
                      const std::array<double, D * D>& f) {
   const DegenerateNode<D>* const node = degenerate_node(body, block, slot);
   if (node != nullptr) return degenerate_state(body, block, *node).energy;
-  double energy = strain_energy_density(body, f) + networks_at(body, slot, f).energy;
+  double energy = strain_energy_density(body, f) + networks_at(body, slot, f).energy +
+                  relaxed_pressure(body, block, slot, f).energy;
   if (body.is_prestressed()) energy += lasting_stress(body, slot, f, 1).energy;
   return body.volume[slot] * energy;
-}
-
-template <class T, int D>
-double dilatation(const Body<T, D>& body, const std::array<double, D * D>& f) {
-  if (!counts_green_strain(body)) return matrix_of<D>(f).determinant() - 1;
-  return (matrix_of<D>(f).squaredNorm() - D) / 2;
-}
-
-template <class T, int D>
-double mean_dilatation(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
-  const std::int64_t first = first_of_group<D>(slot);
-  double mean = 0;
-  for (std::int64_t s = first; s < first + kernels::slots_per_group<D>; ++s) {
-    if (!(body.share[s] > 0)) continue;
-    mean += body.share[s] * dilatation(body, fitted_gradient(body, block, s));
-  }
-  return mean;
-}
-
-template <class T, int D>
-SharedPressure<D> shared_pressure(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot,
-                                  const std::array<double, D * D>& f) {
-  SharedPressure<D> shared;
-  if (!body.has_groups() || !(body.share[slot] > 0)) return shared;
-  const double theta = dilatation(body, f), mean = mean_dilatation(body, block, slot);
-  const double modulus = body.shared_modulus;
-  shared.slope = modulus * (mean - theta);
-  shared.energy = body.volume[slot] * modulus / 2 * (mean * mean - theta * theta);
-  const double jacobian = matrix_of<D>(f).determinant();
-  Eigen::Matrix<double, D, D> sigma = Eigen::Matrix<double, D, D>::Identity();
-  double normal = 1;  // factor of the stress normal to the plane
-  if (counts_green_strain(body)) {
-    sigma = matrix_of<D>(f) * matrix_of<D>(f).transpose() / jacobian;
-    normal = 1 / jacobian;
-  }
-  double trace = sigma.trace() + (D == 2 ? normal : 0);
-  for (int i = 0; i < D; ++i) {
-    for (int j = i; j < D; ++j) {
-      shared.stress[kernels::symmetric_index<D>(i, j)] = shared.slope * sigma(i, j);
-    }
-  }
-  shared.pressure = -shared.slope * trace / 3;
-  return shared;
 }
 
 template <class T, int D>
@@ -160,7 +110,11 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
   state.pressure = elastic.pressure;
   const SharedPressure<D> shared = shared_pressure(body, block, slot, state.gradient);
   state.energy += shared.energy;
-  state.pressure += shared.pressure;
+  const RelaxedPressure relaxed = relaxed_pressure(body, block, slot, state.gradient);
+  state.pressure += shared.pressure + relaxed.pressure;
+  for (int a = 0; a < D; ++a) {
+    state.stress[kernels::symmetric_index<D>(a, a)] -= relaxed.pressure;
+  }
   const NetworkStress<D> networks = networks_at(body, slot, state.gradient);
   for (std::size_t c = 0; c < state.stress.size(); ++c) {
     state.stress[c] += shared.stress[c] + networks.stress[c];
@@ -270,21 +224,5 @@ template NodeState<2> node_state(const Body<double, 2>&, const NodeBlock&, std::
 template NodeState<3> node_state(const Body<double, 3>&, const NodeBlock&, std::int64_t);
 template NodeState<2> node_state(const Body<float, 2>&, const NodeBlock&, std::int64_t);
 template NodeState<3> node_state(const Body<float, 3>&, const NodeBlock&, std::int64_t);
-template SharedPressure<2> shared_pressure(const Body<double, 2>&, const NodeBlock&, std::int64_t,
-                                           const std::array<double, 4>&);
-template SharedPressure<3> shared_pressure(const Body<double, 3>&, const NodeBlock&, std::int64_t,
-                                           const std::array<double, 9>&);
-template SharedPressure<2> shared_pressure(const Body<float, 2>&, const NodeBlock&, std::int64_t,
-                                           const std::array<double, 4>&);
-template SharedPressure<3> shared_pressure(const Body<float, 3>&, const NodeBlock&, std::int64_t,
-                                           const std::array<double, 9>&);
-template double dilatation(const Body<double, 2>&, const std::array<double, 4>&);
-template double mean_dilatation(const Body<double, 2>&, const NodeBlock&, std::int64_t);
-template double dilatation(const Body<double, 3>&, const std::array<double, 9>&);
-template double mean_dilatation(const Body<double, 3>&, const NodeBlock&, std::int64_t);
-template double dilatation(const Body<float, 2>&, const std::array<double, 4>&);
-template double mean_dilatation(const Body<float, 2>&, const NodeBlock&, std::int64_t);
-template double dilatation(const Body<float, 3>&, const std::array<double, 9>&);
-template double mean_dilatation(const Body<float, 3>&, const NodeBlock&, std::int64_t);
 
 }  // namespace pliant::point_based

@@ -147,7 +147,7 @@ std::unique_ptr<Solver> stepped_total_lagrangian() {
 std::unique_ptr<Solver> stepped_point_based() {
   return stepped("point_based",
                  "point_based = { damping = \"adaptive\", stiffness_damping = 1e-4 }",
-                 in_shear + R"toml([[cut]]
+                 relaxing + in_shear + R"toml([[cut]]
 name = "slit"
 from = [0.5, 1.1]
 path = [0, "-t"]

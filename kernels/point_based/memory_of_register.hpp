@@ -4,9 +4,11 @@
 
 #include "kernels/networks.hpp"
 #include "kernels/point_based/arguments.hpp"
+#include "kernels/point_based/groups_of_register.hpp"
+#include "kernels/point_based/kept_gradient.hpp"
 #include "kernels/stiffening.hpp"
 
-/// Networks at the nodes of a register, (PB.66).
+/// What the nodes of a register remember: networks, (PB.66), and relaxing pressures, (PB.70).
 namespace pliant::kernels {
 
 /// The values of the nodes of a register, from `slot` on.
@@ -53,6 +55,37 @@ inline P network_modulus(const PointForces<Scalar<P>, D>& block, std::int64_t sl
                                         FixedNodeSlots<P>{{slot}}, unused);
   return P(block.material.density) * speed2 * norm2_of<P, D>(state.cof) /
          (state.volume_ratio * state.volume_ratio);
+}
+
+/// Adds the relaxing pressures to the stiff part of groups, `shared`, of the nodes from `slot` on,
+/// (PB.70). `h` is F - I.
+template <class P, int D>
+[[gnu::noinline]] void relax_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
+                                   const P (&h)[registers_of_groups<P, D>][D * D],
+                                   OverGroups<P, D>& shared) {
+  using T = Scalar<P>;
+  constexpr int registers = registers_of_groups<P, D>;
+  OverGroups<P, D> theta, share, mean;
+#pragma GCC unroll 2
+  for (int r = 0; r < registers; ++r) {
+    const std::int64_t first = slot + r * lanes<P>;
+    P f[D * D];
+    for (int c = 0; c < D * D; ++c) f[c] = c % (D + 1) == 0 ? h[r][c] + P(T(1)) : h[r][c];
+    if (block.kept[0] != nullptr) {
+      P kept[D * D];
+      apply_kept<P, D>(block, first, f, kept);
+    }
+    theta[r] = determinant(f) - P(T(1));
+    share[r] = block.share != nullptr ? load<P>(block.share + first) : P(T(0));
+    mean[r] = share[r] * theta[r];
+  }
+  add_over_groups<P, D>(mean);
+#pragma GCC unroll 2
+  for (int r = 0; r < registers; ++r) {
+    const P change = xsimd::select(share[r] > P(T(0)), mean[r], theta[r]);
+    const NodeSlots<P> nodes = {slot + r * lanes<P>};
+    shared[r] = shared[r] - relax_pressures<P>(block.bulk, change, nodes);
+  }
 }
 
 }  // namespace pliant::kernels
