@@ -89,7 +89,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_few_elements(a_case, warnings);
   // Measured for bonded punches and a block that hangs from a box in its corner, of six tetrahedra
   // to a cell.
-  static constexpr NarrowToolError attached[] = {{3.3, 25}, {4.6, 17}, {6.5, 13}, {9, 10}};
+  static constexpr NarrowToolError attached[] = {{4.7, 25}, {6.6, 17}, {9.3, 13}, {13, 10}};
   undeformed::warn_of_coarse_tools(a_case, attached, warnings);
   undeformed::warn_of_equation_of_state(a_case, warnings);
   undeformed::warn_of_elements_in_slip_walls(a_case, point_based::has_elements, warnings);

@@ -27,6 +27,7 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   bool has_adaptive_damping() const override {
     return !point_based::parameters_of(this->settings()).damping;
   }
+  void show() override { this->state().age_memory(point_based::is_leapfrog(this->settings())); }
   bool velocities_lag() const override { return !point_based::is_leapfrog(this->settings()); }
   bool knows_energy() const override { return point_based::knows_losses(this->settings()); }
   StepFailure failure(const undeformed::StepResult& result) const override;

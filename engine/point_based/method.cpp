@@ -133,8 +133,9 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_coarse_points(a_case, warnings);
   warn_of_coarse_cuts(a_case, warnings);
   warn_of_squeezed_lattices(a_case, warnings);
-  // Measured for a block that hangs from a box in its corner, docs/decisions/0079.
-  static constexpr NarrowToolError holding_box[] = {{4.1, 20}, {5.5, 18}, {8.5, 10}, {13, 6}};
+  // Measured for blocks, beams and an L that hang from a box in their corner: edges of the box are
+  // up to half a spacing from the last node that it holds.
+  static constexpr NarrowToolError holding_box[] = {{6.5, 21}, {22, 16}};
   undeformed::warn_of_coarse_tools(a_case, holding_box, warnings);
   undeformed::warn_of_equation_of_state(a_case, warnings);
   // Measured for squares, discs and balls that rotate or are sheared.

@@ -98,13 +98,6 @@ void Solver<T, D>::adapt(const Advance&, const StepResult& result) {
 }
 
 template <class T, int D>
-void Solver<T, D>::show() {
-  const Clock& clock = this->clock();
-  const double start = clock.step_end - clock.step_length;
-  this->state().age_memory(is_leapfrog(this->settings()) ? start + clock.step_length / 2 : start);
-}
-
-template <class T, int D>
 StepFailure Solver<T, D>::failure(const StepResult& result) const {
   const Body<T, D>& body = this->state().bodies[this->state().blocks[result.failed_block].body];
   std::vector<std::string> remedies;

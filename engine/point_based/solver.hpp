@@ -34,7 +34,7 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   StepFailure failure(const StepResult& result) const override;
   bool has_adaptive_damping() const override { return !parameters_of(this->settings()).damping; }
   void adapt(const Advance& advance, const StepResult& result) override;
-  void show() override;
+  void show() override { this->state().age_memory(is_leapfrog(this->settings())); }
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;
 

@@ -27,9 +27,12 @@ struct State : undeformed::State<D> {
     if (body >= cuts.size() || !cuts[body]) return {};
     return cuts[body]->surfaces();
   }
-  /// Sets the time since the memory of the bodies was advanced, at `forces` [s].
-  void age_memory(double forces) {
-    for (Body<T, D>& body : bodies) body.memory_age = std::max(0., this->clock.time - forces);
+  /// Sets the time since the memory of the bodies was advanced with the forces of the last step,
+  /// which acted in its middle (`leapfrog`) or at its start.
+  void age_memory(bool leapfrog) {
+    const Clock& clock = this->clock;
+    const double forces = clock.step_end - clock.step_length * (leapfrog ? 0.5 : 1);
+    for (Body<T, D>& body : bodies) body.memory_age = std::max(0., clock.time - forces);
   }
   /// Estimate of the highest squared frequency of all bodies, (PB.12) [1/s^2].
   double frequency2 = 0;

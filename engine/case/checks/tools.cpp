@@ -17,18 +17,41 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The least width of `wall` across the axes along which the boxes overlap.
+/// What two boxes share along an axis.
+struct Overlap {
+  double length;  ///< [m], 0 where they are apart
+  bool covers;    ///< whether the wall covers the body
+};
+
+Overlap overlap_along(int a, const Box<3>& wall, const Box<3>& body) {
+  const double rounding = 1e-9 * (body.upper[a] - body.lower[a]);
+  const double shared =
+      std::min(wall.upper[a], body.upper[a]) - std::max(wall.lower[a], body.lower[a]);
+  return {shared > rounding ? shared : 0,
+          wall.lower[a] < body.lower[a] + rounding && wall.upper[a] > body.upper[a] - rounding};
+}
+
+/// The least width of a contact wall across the axes along which the boxes overlap.
 double width_beside(const Box<3>& wall, const Box<3>& body, int dimension) {
   double width = infinity;
   for (int a = 0; a < dimension; ++a) {
-    const double rounding = 1e-9 * (body.upper[a] - body.lower[a]);
-    const bool is_apart =
-        wall.lower[a] > body.upper[a] - rounding || wall.upper[a] < body.lower[a] + rounding;
-    const bool covers =
-        wall.lower[a] < body.lower[a] + rounding && wall.upper[a] > body.upper[a] - rounding;
-    if (!is_apart && !covers) width = std::min(width, wall.upper[a] - wall.lower[a]);
+    const Overlap overlap = overlap_along(a, wall, body);
+    if (overlap.length == 0 || overlap.covers) continue;
+    width = std::min(width, wall.upper[a] - wall.lower[a]);
   }
   return width;
+}
+
+/// The least length along which a wall holds a body, beside the way that it reaches into it.
+double held_width(const Box<3>& wall, const Box<3>& body, int dimension) {
+  std::vector<double> lengths;
+  for (int a = 0; a < dimension; ++a) {
+    const Overlap overlap = overlap_along(a, wall, body);
+    if (!overlap.covers) lengths.push_back(overlap.length);
+  }
+  if (lengths.size() < 2) return infinity;
+  std::ranges::sort(lengths);
+  return lengths[1] > 0 ? lengths[1] : infinity;
 }
 
 bool is_contact_wall(const BoundaryCase& wall) {
@@ -62,7 +85,8 @@ double width_of_tool(const Case& a_case, const BoundaryCase& wall, const BodyCas
   if (is_round(shape)) return is_contact_wall(wall) ? 2 * shape.radius : infinity;
   using enum Shape::Kind;
   if (shape.kind != box && shape.kind != mesh && shape.kind != intersect) return infinity;
-  return width_beside(bounding_box(shape), bounding_box(body.geometry), a_case.dimension);
+  const auto width = is_contact_wall(wall) ? width_beside : held_width;
+  return width(bounding_box(shape), bounding_box(body.geometry), a_case.dimension);
 }
 
 void warn_of_narrow_tools(const Case& a_case, const NarrowToolErrors& all_errors,
@@ -77,10 +101,11 @@ void warn_of_narrow_tools(const Case& a_case, const NarrowToolErrors& all_errors
     const auto error = std::ranges::find_if(
         errors, [&](const NarrowToolError& e) { return meeting.across() < e.across; });
     if (error == errors.end()) continue;
-    warnings.push_back(
-        fmt::format("the wall `{}` is {:.2g} {} wide: its force deviates by up to {} %; {}",
-                    wall.name, meeting.across(), meeting.resolution.units(), error->deviation,
-                    meeting.resolution.remedy(meeting.width / errors.back().across)));
+    warnings.push_back(fmt::format(
+        "the wall `{}` is {:.2g} {} wide: {} by up to {} %; {}", wall.name, meeting.across(),
+        meeting.resolution.units(),
+        is_contact_wall(wall) ? "its force deviates" : "forces and displacements deviate",
+        error->deviation, meeting.resolution.remedy(meeting.width / errors.back().across)));
   }
 }
 

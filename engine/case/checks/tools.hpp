@@ -9,7 +9,7 @@
 
 namespace pliant {
 
-/// Deviation of the force of walls that are narrower than `across` spacings.
+/// Deviation of the force of walls, or of what they hold, that are narrower than `across` spacings.
 struct NarrowToolError {
   double across;
   int deviation;  ///< [%]
@@ -21,9 +21,11 @@ struct NarrowToolErrors {
   std::span<const NarrowToolError> attached;      ///< walls that hold a body
 };
 
-/// How wide the part of a wall is that meets a body [m]: its diameter if it is a round contact
-/// wall, else the least width of its bounding box beside the body; infinite if it is as wide as
-/// the body, as a plate is, for walls that surround a body, and for round walls that hold one.
+/// How wide the part of a wall is that meets a body [m]. A contact wall: its diameter if it is
+/// round, else the least width of its bounding box beside the body. A wall that holds the body: the
+/// least length along which the boxes overlap, beside the way that the wall reaches into the body.
+/// Infinite if the wall is as wide as the body, as a plate is, for walls that surround a body, and
+/// for round walls that hold one.
 double width_of_tool(const Case& a_case, const BoundaryCase& wall, const BodyCase& body);
 
 /// Adds a warning for each wall that is narrow.

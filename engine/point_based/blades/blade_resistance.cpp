@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/point_based/forces/node_state.hpp"
+#include "engine/point_based/forces/node_gradient.hpp"
 
 namespace pliant::point_based {
 

@@ -17,7 +17,10 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double no_force = 0.05;      // of the stress times V^((D-1)/D)
+// Forces that count as none, over the stress times V^((D-1)/D). Rows of nodes between a wall and a
+// lattice yield to forces of either sign in turn, which the stabilisation of a lattice hardly
+// resists.
+constexpr double no_force = 0.05, no_force_on_lattices = 0.03;
 constexpr int layers_that_change = 2;  // of nodes around those with a force
 // Larger changes of weights shorten the time step; few nodes of a lattice ask for them.
 constexpr double most_change_on_lattices = 4;
@@ -98,7 +101,7 @@ class Balance {
   void improve() {
     const std::vector<bool> changes = nodes_that_change();
     WeightedNodes<D> part = part_that_changes(changes);
-    balance_weights(part, choice_.is_lattice() ? most_change_on_lattices : no_limit);
+    balance_weights(part, choice_.is_lattice() ? most_change_on_lattices : no_limit, least_force());
     choice_.correction.resize(changes.size());
     for (std::size_t m = 0; m < members_.size(); ++m) {
       if (!changes[members_[m]]) continue;
@@ -108,6 +111,8 @@ class Balance {
 
  private:
   std::int64_t nodes() const { return static_cast<std::int64_t>(areas_.size()); }
+
+  double least_force() const { return choice_.is_lattice() ? no_force_on_lattices : no_force; }
 
   /// Adds the forces of the energy of a node to those on its neighbours and itself.
   template <class Add>
@@ -140,7 +145,7 @@ class Balance {
     for (std::int64_t i = 0; i < nodes(); ++i) {
       const Point<D> unborne = undeformed::projected<D>(free_[i], force[i]);
       const double area = std::pow(choice_.elastic_volumes[i], (D - 1.) / D);
-      changes[i] = dot<D>(unborne, unborne) > no_force * no_force * area * area;
+      changes[i] = norm<D>(unborne) > least_force() * area;
     }
     for (int layer = 0; layer < layers_that_change; ++layer) changes = with_neighbours(changes);
     return changes;

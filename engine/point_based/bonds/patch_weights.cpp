@@ -10,17 +10,18 @@
 // A uniform stress P exerts P r_i on node i, apart from the load on its share of the surface, where
 // r_i = sum_j (V_j g_ji - V_i g_ij) - a_i. There are many more bonds than components of r. Of all
 // changes of the weights that make r vanish, the smallest is computed. With c = ln of the factors
-// and J = dr/dc, each Gauss-Newton step solves J J^T y = -r by conjugate gradients and adds J^T y
-// to c. Gradients still follow from the weights: they stay exact for linear fields, and a step
-// costs the same.
+// and J = dr/dc, each step solves (J J^T + a I) y = -r by conjugate gradients and adds J^T y to
+// c; a = 0 makes it a Gauss-Newton step. Gradients still follow from the weights: they stay exact
+// for linear fields, and a step costs the same.
 namespace pliant::point_based {
 
 namespace {
 
 constexpr double small_enough = 1e-6;
 constexpr int most_steps = 20, most_iterations = 4000;
-constexpr double balanced = 0.05;
-constexpr int most_steps_of_balance = 24, iterations_of_balance = 10;
+constexpr int most_steps_of_balance = 24, iterations_of_balance = 10, most_halvings = 4;
+// Else bonds that hardly act on any force would have the longest steps.
+constexpr double regularisation = 0.03;
 constexpr double longest_step = 1;  // of ln c
 constexpr double few = 1e-6;        // relative to the largest eigenvalue of a block
 
@@ -31,10 +32,15 @@ class PatchTest {
   using Matrix = Eigen::Matrix<double, D, D>;
   using Vectors = std::vector<Vector>;
 
-  /// No weight changes by more than the factor `most_change`, or its inverse.
+  /// No weight changes by more than the factor `most_change`, or its inverse. Steps are those of
+  /// Levenberg and Marquardt, with `regularisation` times the mean of the diagonal.
   explicit PatchTest(WeightedNodes<D>& nodes,
-                     double most_change = std::numeric_limits<double>::infinity())
-      : nodes_(nodes), most_change_(std::log(most_change)), all_(nodes.positions.size()) {
+                     double most_change = std::numeric_limits<double>::infinity(),
+                     double regularisation = 0)
+      : nodes_(nodes),
+        most_change_(std::log(most_change)),
+        regularisation_(regularisation),
+        all_(nodes.positions.size()) {
     force_.resize(all_.size());
     scale_.resize(all_.size());
     for (std::size_t i = 0; i < all_.size(); ++i) {
@@ -63,24 +69,26 @@ class PatchTest {
     return sum;
   }
 
-  /// One Gauss-Newton step; its equations are solved to `tolerance`.
-  void improve(double tolerance, int most_iterations) {
+  /// One step; its equations are solved to `tolerance`. A step that increases the sum
+  /// of the squares is halved. Returns whether any decreases it; if none does, the weights stay.
+  bool improve(double tolerance, int most_iterations) {
+    const double before = square();
     const Vectors y = solve(tolerance, most_iterations);
     double longest = 0;
     for (std::size_t i = 0; i < all_.size(); ++i) {
       change(i, y);
-      for (const Bond& bond : all_[i].bonds) longest = std::max(longest, std::abs(bond.change));
-    }
-    const double share = std::min(1., longest_step / longest);
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-      for (std::size_t k = 0; k < all_[i].bonds.size(); ++k) {
-        Bond& bond = all_[i].bonds[k];
-        const double log = std::clamp(bond.log + share * bond.change, -most_change_, most_change_);
-        nodes_.weight[i][k] *= std::exp(log - bond.log);
-        bond.log = log;
+      for (Bond& bond : all_[i].bonds) {
+        bond.start = bond.log;
+        longest = std::max(longest, std::abs(bond.change));
       }
     }
-    evaluate();
+    double share = std::min(1., longest_step / longest);
+    for (int halving = 0; halving <= most_halvings; ++halving, share /= 2) {
+      move(share);
+      if (square() < before) return true;
+    }
+    move(0);
+    return false;
   }
 
  private:
@@ -89,12 +97,27 @@ class PatchTest {
     Vector x, u;            ///< X_ij; A^-1 X_ij
     double weight, change;  ///< V_i w_ij; change of ln c
     double log = 0;         ///< ln c
+    double start = 0;       ///< ln c at the start of a step
   };
   struct Node {
     std::vector<Bond> bonds;
   };
 
   static Matrix unit() { return Matrix::Identity(); }
+
+  /// Moves the weights from the start of a step by a share of the change.
+  void move(double share) {
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      for (std::size_t k = 0; k < all_[i].bonds.size(); ++k) {
+        Bond& bond = all_[i].bonds[k];
+        const double log =
+            std::clamp(bond.start + share * bond.change, -most_change_, most_change_);
+        nodes_.weight[i][k] *= std::exp(log - bond.log);
+        bond.log = log;
+      }
+    }
+    evaluate();
+  }
 
   /// The projection onto the directions in which no wall bears the force on node i.
   Matrix free(std::size_t i) const {
@@ -143,7 +166,12 @@ class PatchTest {
       }
       add_to_diagonal(i);
     }
-    for (std::size_t i = 0; i < all_.size(); ++i) scale_[i] = inverse_block(i, scale_[i]);
+    double sum = 0;
+    for (const Matrix& block : scale_) sum += block.trace();
+    added_ = regularisation_ * sum / (D * static_cast<double>(scale_.size()));
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      scale_[i] = inverse_block(i, scale_[i] + added_ * unit());
+    }
   }
 
   void add_to_diagonal(std::size_t i) {
@@ -171,9 +199,9 @@ class PatchTest {
     }
   }
 
-  /// result = J J^T y.
+  /// result = (J J^T + added_ I) y.
   void apply(const Vectors& y, Vectors& result) {
-    for (Vector& of_node : result) of_node.setZero();
+    for (std::size_t i = 0; i < y.size(); ++i) result[i] = added_ * y[i];
     for (std::size_t i = 0; i < all_.size(); ++i) {
       change(i, y);
       Matrix turned = Matrix::Zero();
@@ -188,7 +216,7 @@ class PatchTest {
     }
   }
 
-  /// Solves J J^T y = -r by conjugate gradients; y = 0 where walls bear any force.
+  /// Solves (J J^T + added_ I) y = -r by conjugate gradients; y = 0 where walls bear any force.
   Vectors solve(double tolerance, int most_iterations) {
     Vectors y(all_.size(), Vector::Zero()), rest = force_, scaled(all_.size()), way, image = force_;
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = unborne(i, -force_[i]);
@@ -223,6 +251,8 @@ class PatchTest {
 
   WeightedNodes<D>& nodes_;
   double most_change_;  ///< of ln c
+  double regularisation_;
+  double added_ = 0;  ///< to the diagonal of J J^T
   std::vector<Node> all_;
   Vectors force_;              ///< r
   std::vector<Matrix> scale_;  ///< inverse of the diagonal blocks of J J^T
@@ -243,23 +273,15 @@ double make_patch_exact(WeightedNodes<D>& nodes) {
 }
 
 template <int D>
-void balance_weights(WeightedNodes<D>& nodes, double most_change) {
-  PatchTest<D> test(nodes, most_change);
-  double square = test.square();
+void balance_weights(WeightedNodes<D>& nodes, double most_change, double balanced) {
+  PatchTest<D> test(nodes, most_change, regularisation);
   for (int step = 0; step < most_steps_of_balance && test.worst() > balanced; ++step) {
-    const std::vector<std::vector<double>> before = nodes.weight;
-    test.improve(0, iterations_of_balance);
-    const double now = test.square();
-    if (!(now < square)) {
-      nodes.weight = before;
-      return;
-    }
-    square = now;
+    if (!test.improve(0, iterations_of_balance)) return;
   }
 }
 
-template void balance_weights<2>(WeightedNodes<2>&, double);
-template void balance_weights<3>(WeightedNodes<3>&, double);
+template void balance_weights<2>(WeightedNodes<2>&, double, double);
+template void balance_weights<3>(WeightedNodes<3>&, double, double);
 template double make_patch_exact<2>(WeightedNodes<2>&);
 template double make_patch_exact<3>(WeightedNodes<3>&);
 

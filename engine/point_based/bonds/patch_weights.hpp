@@ -36,13 +36,13 @@ template <int D>
 double make_patch_exact(WeightedNodes<D>& nodes);
 
 /// Changes the weights so that a uniform stress exerts little force on nodes that are not held,
-/// (PB.61). A few iterations reduce this force to a few hundredths. No weight changes by more than
-/// the factor `most_change`, or its inverse.
+/// (PB.61), at most `balanced` in units of the stress times V^((D-1)/D) if a few steps suffice. No
+/// weight changes by more than the factor `most_change`, or its inverse.
 template <int D>
-void balance_weights(WeightedNodes<D>& nodes, double most_change);
+void balance_weights(WeightedNodes<D>& nodes, double most_change, double balanced);
 
-extern template void balance_weights<2>(WeightedNodes<2>&, double);
-extern template void balance_weights<3>(WeightedNodes<3>&, double);
+extern template void balance_weights<2>(WeightedNodes<2>&, double, double);
+extern template void balance_weights<3>(WeightedNodes<3>&, double, double);
 extern template double make_patch_exact<2>(WeightedNodes<2>&);
 extern template double make_patch_exact<3>(WeightedNodes<3>&);
 

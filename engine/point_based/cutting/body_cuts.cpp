@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/case/blade_track.hpp"
+#include "engine/point_based/forces/node_gradient.hpp"
 #include "engine/point_based/forces/node_groups.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 

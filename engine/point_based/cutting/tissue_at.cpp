@@ -5,7 +5,7 @@
 
 #include "engine/lattice/column.hpp"
 #include "engine/point_based/cutting/crossing.hpp"
-#include "engine/point_based/forces/node_state.hpp"
+#include "engine/point_based/forces/node_gradient.hpp"
 
 namespace pliant::point_based {
 

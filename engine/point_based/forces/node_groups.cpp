@@ -5,6 +5,8 @@
 
 #include "engine/method/hyperelastic.hpp"
 #include "engine/point_based/bonds/bonds.hpp"
+#include "engine/point_based/forces/node_gradient.hpp"
+#include "engine/point_based/forces/node_pressure.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 
 namespace pliant::point_based {

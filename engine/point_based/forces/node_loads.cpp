@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "engine/lattice/point_algebra.hpp"
-#include "engine/point_based/forces/node_state.hpp"
+#include "engine/point_based/forces/node_gradient.hpp"
 
 namespace pliant::point_based {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "engine/point_based/forces/node_state.hpp"
+#include "engine/point_based/forces/node_gradient.hpp"
 
 namespace pliant::point_based {
 

@@ -12,6 +12,7 @@
 #include "engine/method/field_fit.hpp"
 #include "engine/method/no_value.hpp"
 #include "engine/method/region_share.hpp"
+#include "engine/point_based/forces/node_gradient.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 
 namespace pliant::point_based {

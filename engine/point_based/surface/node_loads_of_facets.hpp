@@ -163,9 +163,7 @@ class NodesUnderLoad {
         loaded_(surface_.facet.size()) {}
 
   std::map<std::int32_t, PressedNode<D>> operator()() {
-    for (std::size_t f = 0; f < surface_.facet.size(); ++f) {
-      if (surface_.is_free[f]) add(f);
-    }
+    for (std::size_t f = 0; f < surface_.facet.size(); ++f) add(f);
     for (auto& [slot, node] : nodes_) {
       for (double& x : node.middle) x /= around_[slot] > 0 ? around_[slot] : 1;
     }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "engine/point_based/forces/node_groups.hpp"
+#include "engine/point_based/forces/node_pressure.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 #include "tests/engine/finite_elements/meshed_block.hpp"
 #include "tests/engine/point_based/blocks.hpp"

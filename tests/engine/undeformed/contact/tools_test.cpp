@@ -181,6 +181,12 @@ TEST(tools, are_warned_of_where_they_are_narrow) {
   EXPECT_EQ(warnings_of(punch, 10, "moving_wall").size(), 1U);
   EXPECT_TRUE(warnings_of(punch, 13, "moving_wall").empty());
   EXPECT_TRUE(warnings_of(punch, 20).empty());
+  // However far they reach beyond the body.
+  const std::string corner = "{ shape = \"box\", lower = [-9, -9], upper = [-0.6, 0.3] }";
+  EXPECT_EQ(warnings_of(corner, 10, "moving_wall").size(), 1U);
+  EXPECT_TRUE(warnings_of(corner, 20, "moving_wall").empty());
+  const std::string end = "{ shape = \"box\", lower = [-9, -9], upper = [-0.3, 9] }";
+  EXPECT_TRUE(warnings_of(end, 10, "moving_wall").empty());
   const std::string plate = "{ shape = \"box\", lower = [-1, 1], upper = [1, 1.1] }";
   EXPECT_TRUE(warnings_of(plate, 10).empty());
   const std::string disc = "{ shape = \"disc\", centre = [0, 1.2], radius = 0.2 }";
