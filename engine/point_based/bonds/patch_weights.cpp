@@ -20,10 +20,10 @@ namespace {
 constexpr double small_enough = 1e-6;
 constexpr int most_steps = 20, most_iterations = 4000;
 constexpr int most_steps_of_balance = 24, iterations_of_balance = 10, most_halvings = 4;
-// Else bonds that hardly act on any force would have the longest steps.
-constexpr double regularisation = 0.03;
 constexpr double longest_step = 1;  // of ln c
-constexpr double few = 1e-6;        // relative to the largest eigenvalue of a block
+// Longer steps are those of bonds that hardly act on any force.
+constexpr double far_too_long = 4, regularisation = 0.03;
+constexpr double few = 1e-6;  // relative to the largest eigenvalue of a block
 
 template <int D>
 class PatchTest {
@@ -32,8 +32,9 @@ class PatchTest {
   using Matrix = Eigen::Matrix<double, D, D>;
   using Vectors = std::vector<Vector>;
 
-  /// No weight changes by more than the factor `most_change`, or its inverse. Steps are those of
-  /// Levenberg and Marquardt, with `regularisation` times the mean of the diagonal.
+  /// No weight changes by more than the factor `most_change`, or its inverse. Steps that are far
+  /// too long become those of Levenberg and Marquardt, with `regularisation` times the mean of the
+  /// diagonal.
   explicit PatchTest(WeightedNodes<D>& nodes,
                      double most_change = std::numeric_limits<double>::infinity(),
                      double regularisation = 0)
@@ -43,6 +44,7 @@ class PatchTest {
         all_(nodes.positions.size()) {
     force_.resize(all_.size());
     scale_.resize(all_.size());
+    block_.resize(all_.size());
     for (std::size_t i = 0; i < all_.size(); ++i) {
       for (const std::int32_t j : nodes.neighbour[i]) {
         Bond& bond = all_[i].bonds.emplace_back();
@@ -73,14 +75,9 @@ class PatchTest {
   /// of the squares is halved. Returns whether any decreases it; if none does, the weights stay.
   bool improve(double tolerance, int most_iterations) {
     const double before = square();
-    const Vectors y = solve(tolerance, most_iterations);
-    double longest = 0;
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-      change(i, y);
-      for (Bond& bond : all_[i].bonds) {
-        bond.start = bond.log;
-        longest = std::max(longest, std::abs(bond.change));
-      }
+    double longest = find_change(tolerance, most_iterations, 0);
+    if (longest > far_too_long && regularisation_ > 0) {
+      longest = find_change(tolerance, most_iterations, regularisation_ * mean_of_diagonal());
     }
     double share = std::min(1., longest_step / longest);
     for (int halving = 0; halving <= most_halvings; ++halving, share /= 2) {
@@ -104,6 +101,30 @@ class PatchTest {
   };
 
   static Matrix unit() { return Matrix::Identity(); }
+
+  double mean_of_diagonal() const {
+    double sum = 0;
+    for (const Matrix& block : block_) sum += block.trace();
+    return sum / (D * static_cast<double>(block_.size()));
+  }
+
+  /// Sets the changes of a step with `added` on the diagonal of J J^T. Returns the longest one.
+  double find_change(double tolerance, int most_iterations, double added) {
+    added_ = added;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      scale_[i] = inverse_block(i, block_[i] + added_ * unit());
+    }
+    const Vectors y = solve(tolerance, most_iterations);
+    double longest = 0;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      change(i, y);
+      for (Bond& bond : all_[i].bonds) {
+        bond.start = bond.log;
+        longest = std::max(longest, std::abs(bond.change));
+      }
+    }
+    return longest;
+  }
 
   /// Moves the weights from the start of a step by a share of the change.
   void move(double share) {
@@ -148,7 +169,7 @@ class PatchTest {
   void evaluate() {
     for (std::size_t i = 0; i < all_.size(); ++i) {
       force_[i] = -Eigen::Map<const Vector>(nodes_.areas[i].data());
-      scale_[i].setZero();
+      block_[i].setZero();
     }
     for (std::size_t i = 0; i < all_.size(); ++i) {
       Matrix moment = Matrix::Zero();
@@ -166,12 +187,6 @@ class PatchTest {
       }
       add_to_diagonal(i);
     }
-    double sum = 0;
-    for (const Matrix& block : scale_) sum += block.trace();
-    added_ = regularisation_ * sum / (D * static_cast<double>(scale_.size()));
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-      scale_[i] = inverse_block(i, scale_[i] + added_ * unit());
-    }
   }
 
   void add_to_diagonal(std::size_t i) {
@@ -180,10 +195,10 @@ class PatchTest {
     for (const Bond& bond : all_[i].bonds) sum += bond.weight / volume * bond.x;
     for (const Bond& by : all_[i].bonds) {
       const Matrix square = by.weight * by.weight * by.u * by.u.transpose();
-      scale_[i] += std::pow(1 - by.u.dot(sum), 2) * square;
+      block_[i] += std::pow(1 - by.u.dot(sum), 2) * square;
       for (const Bond& on : all_[i].bonds) {
         const double own = &on == &by ? 1 : 0;
-        scale_[on.node] += std::pow(own - on.weight / volume * by.u.dot(on.x), 2) * square;
+        block_[on.node] += std::pow(own - on.weight / volume * by.u.dot(on.x), 2) * square;
       }
     }
   }
@@ -255,7 +270,8 @@ class PatchTest {
   double added_ = 0;  ///< to the diagonal of J J^T
   std::vector<Node> all_;
   Vectors force_;              ///< r
-  std::vector<Matrix> scale_;  ///< inverse of the diagonal blocks of J J^T
+  std::vector<Matrix> block_;  ///< diagonal blocks of J J^T
+  std::vector<Matrix> scale_;  ///< inverse of these, with what is added
 };
 
 }  // namespace

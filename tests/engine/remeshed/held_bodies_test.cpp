@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "tests/engine/case/written_case.hpp"
@@ -168,6 +170,33 @@ TEST(held_bodies, bend_under_tractions_as_they_should) {
   const std::vector<double> found = values_at(solver, 600);
   EXPECT_NEAR(found[0], 0.1597, 0.015 * 0.1597);
   EXPECT_NEAR(found[1], -0.05, 2e-3 * 0.05);
+}
+
+// With 16 and 25 across they move by 34 and 7 % of the largest displacement too little or too far.
+TEST(held_bodies, are_warned_of_if_they_are_round_and_bear_tractions) {
+  const auto warns = [](const std::string& kind, const std::string& spacing) {
+    const std::vector<std::string> warnings = warnings_of_method(tests::read_text(
+        R"toml(method = "remeshed"
+time.end = 1
+discretisation.spacing = ")toml" +
+        spacing + R"toml("
+[[body]]
+name = "disc"
+geometry = { shape = "disc", centre = [0.5, 0.5], radius = 0.5 }
+material = { model = "neo_hookean", density = 1, youngs_modulus = 1000, poissons_ratio = 0.3 }
+[[boundary]]
+name = "load"
+geometry = { shape = "box", lower = [0.3, 0.55], upper = [0.75, 9] }
+)toml" + kind));
+    return std::ranges::any_of(warnings, [](const std::string& warning) {
+      return warning.find("under tractions on its round parts") != std::string::npos;
+    });
+  };
+  const std::string traction = "kind = \"traction\"\ntraction = [1, 0]\n";
+  EXPECT_TRUE(warns(traction, "1/16"));
+  EXPECT_TRUE(warns(traction, "1/25"));
+  EXPECT_FALSE(warns(traction, "1/28"));
+  EXPECT_FALSE(warns("kind = \"pressure\"\npressure = 1\n", "1/16"));
 }
 
 TEST(held_bodies, meet_too_little_force_between_walls_if_they_are_thin) {
