@@ -6,7 +6,7 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double least_share = 0.01;  // of eigenvalues: cuts at less than 11 degrees count as one
+constexpr double least_eigenvalue_share = 0.01;  // cuts at less than 11 degrees count as one
 
 /// Projects out the directions `held`.
 template <int D>
@@ -14,7 +14,7 @@ Eigen::Matrix<double, D, D> free_directions(std::span<const Column<D>> held) {
   Eigen::Matrix<double, D, D> free = Eigen::Matrix<double, D, D>::Identity();
   for (const Column<D>& normal : held) {
     const Column<D> rest = free * normal;
-    if (rest.squaredNorm() <= least_share * normal.squaredNorm()) continue;
+    if (rest.squaredNorm() <= least_eigenvalue_share * normal.squaredNorm()) continue;
     free -= rest * rest.transpose() / rest.squaredNorm();
   }
   return free;
@@ -37,7 +37,7 @@ Column<D> meeting_point(std::span<const typename CutPieces<D>::Crossed> crossing
     right += normal * along.dot(column<D>(crossed.place) - mean);
   }
   const Eigensystem<D> axes = eigensystem<D>(normals);
-  const double least = least_share * static_cast<double>(crossings.size());
+  const double least = least_eigenvalue_share * static_cast<double>(crossings.size());
   Column<D> moved = Column<D>::Zero();
   for (int a = 0; a < D; ++a) {
     if (axes.values[a] <= least) continue;
