@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/storage/buffer.hpp"
+#include "engine/undeformed/listed_arrays.hpp"
 #include "kernels/bulk_relaxation.hpp"
 
 namespace pliant::undeformed {
@@ -30,8 +31,8 @@ class BulkMemory {
       relaxation_[i] = kernels::relaxation<T>(
           {static_cast<T>(term.ratio), static_cast<T>(term.time)}, modulus, age);
     }
-    list(last.pressure, pressure_);
-    list(next.pressure, next_pressure_);
+    list_arrays(last.pressure, pressure_);
+    list_arrays(next.pressure, next_pressure_);
     volume_change_ = last.volume_change.get();
     next_volume_change_ = next.volume_change.get();
   }
@@ -46,11 +47,6 @@ class BulkMemory {
   }
 
  private:
-  static void list(std::vector<Buffer<T>>& arrays, std::vector<T*>& listed) {
-    listed.resize(arrays.size());
-    for (std::size_t i = 0; i < arrays.size(); ++i) listed[i] = arrays[i].get();
-  }
-
   const std::vector<kernels::PronyTerm<double>>* prony_;
   std::vector<kernels::Relaxation<T>> relaxation_;  ///< [term]
   std::vector<T*> pressure_, next_pressure_;        ///< [term]

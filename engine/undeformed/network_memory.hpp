@@ -5,6 +5,7 @@
 
 #include "engine/method/hyperelastic.hpp"
 #include "engine/storage/buffer.hpp"
+#include "engine/undeformed/listed_arrays.hpp"
 #include "kernels/networks.hpp"
 
 namespace pliant::undeformed {
@@ -36,8 +37,8 @@ class NetworkMemory {
     for (std::size_t i = 0; i < relaxation_.size(); ++i) {
       relaxation_[i] = kernels::relaxation<T>({1, static_cast<T>((*prony_shear_)[i].time)}, 1, age);
     }
-    list(tensor, tensor_);
-    list(next_tensor, next_tensor_);
+    list_arrays(tensor, tensor_);
+    list_arrays(next_tensor, next_tensor_);
   }
 
   kernels::Networks<T> networks() const {
@@ -46,11 +47,6 @@ class NetworkMemory {
   }
 
  private:
-  static void list(NetworkArrays<T>& arrays, std::vector<T*>& listed) {
-    listed.resize(arrays.size());
-    for (std::size_t i = 0; i < arrays.size(); ++i) listed[i] = arrays[i].get();
-  }
-
   const std::vector<kernels::PronyTerm<double>>* prony_shear_;
   std::vector<kernels::Relaxation<T>> relaxation_;  ///< [term]
   std::vector<T> ratio_;                            ///< [term]

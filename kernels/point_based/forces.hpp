@@ -23,8 +23,7 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
   using T = Scalar<P>;
   constexpr int symmetric = symmetric_components<D>;
   P f[D * D], cof[D * D];
-#pragma GCC unroll 9
-  for (int c = 0; c < D * D; ++c) f[c] = c % (D + 1) == 0 ? h[c] + P(T(1)) : h[c];
+  with_unit<P, D>(h, f);
   if (block.kept[0] != nullptr) {
     P kept[D * D];
     apply_kept<P, D>(block, slot, f, kept);
@@ -113,8 +112,7 @@ template <ElasticLaw law, class P, int D>
     return;
   }
   P f[D * D], stretch(T(1));
-#pragma GCC unroll 9
-  for (int c = 0; c < D * D; ++c) f[c] = c % (D + 1) == 0 ? h[c] + P(T(1)) : h[c];
+  with_unit<P, D>(h, f);
   if (block.kept[0] != nullptr) {
     P kept[D * D];
     apply_kept<P, D>(block, slot, f, kept);

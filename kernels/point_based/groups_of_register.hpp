@@ -6,6 +6,7 @@
 
 #include "kernels/dilatation.hpp"
 #include "kernels/point_based/arguments.hpp"
+#include "kernels/point_based/kept_gradient.hpp"
 
 /// Groups of adjacent nodes in a pack that share the stiff part of their pressure, (PB.60).
 namespace pliant::kernels {
@@ -48,8 +49,7 @@ inline void shared_pressure(const PointForces<Scalar<P>, D>& block, std::int64_t
 #pragma GCC unroll 2
   for (int r = 0; r < registers; ++r) {
     P f[D * D];
-#pragma GCC unroll 9
-    for (int c = 0; c < D * D; ++c) f[c] = c % (D + 1) == 0 ? h[r][c] + P(T(1)) : h[r][c];
+    with_unit<P, D>(h[r], f);
     theta[r] = dilatation<law, P, D>(f);
     share[r] = load<P>(block.share + slot + r * lanes<P>);
     mean[r] = share[r] * theta[r];

@@ -3,8 +3,15 @@
 #include "kernels/pack.hpp"
 #include "kernels/point_based/arguments.hpp"
 
-/// Deformation gradients that nodes at cuts have kept, (PB.14).
+/// Deformation gradients of nodes, and those that nodes at cuts have kept, (PB.14).
 namespace pliant::kernels {
+
+/// F from `h`, F - I.
+template <class P, int D>
+[[gnu::always_inline]] inline void with_unit(const P (&h)[D * D], P (&f)[D * D]) {
+#pragma GCC unroll 9
+  for (int c = 0; c < D * D; ++c) f[c] = c % (D + 1) == 0 ? h[c] + P(Scalar<P>(1)) : h[c];
+}
 
 /// c += a b.
 template <class P, int D>

@@ -70,7 +70,7 @@ template <class P, int D>
   for (int r = 0; r < registers; ++r) {
     const std::int64_t first = slot + r * lanes<P>;
     P f[D * D];
-    for (int c = 0; c < D * D; ++c) f[c] = c % (D + 1) == 0 ? h[r][c] + P(T(1)) : h[r][c];
+    with_unit<P, D>(h[r], f);
     if (block.kept[0] != nullptr) {
       P kept[D * D];
       apply_kept<P, D>(block, first, f, kept);

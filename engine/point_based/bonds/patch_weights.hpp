@@ -1,24 +1,11 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
-#include "engine/lattice/lattice.hpp"
+#include "engine/point_based/bonds/weighted_nodes.hpp"
 
 namespace pliant::point_based {
-
-/// Nodes with weighted bonds, and their shares of the body's surface.
-template <int D>
-struct WeightedNodes {
-  std::vector<Point<D>> positions;                   ///< [node] [m]
-  std::vector<double> volumes;                       ///< [node] V [m^D]
-  std::vector<Point<D>> areas;                       ///< [node] a, outwards [m^(D-1)]
-  std::vector<std::vector<std::int32_t>> neighbour;  ///< [node][bond] may be empty
-  std::vector<std::vector<double>> weight;           ///< [node][bond] positive
-  /// [node] row-major projection onto the directions in which no wall takes the force; empty: all
-  std::vector<std::array<double, D * D>> free;
-};
 
 /// [bond] the factors by which weights have changed.
 inline std::vector<double> factors_of(const std::vector<double>& now,
