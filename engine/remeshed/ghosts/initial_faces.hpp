@@ -9,9 +9,6 @@
 /// The surface at t = 0, and where its normals are now.
 namespace pliant::remeshed {
 
-/// In place of the number of a load.
-inline constexpr std::int8_t no_load = -1;
-
 /// A place of the surface at t = 0.
 template <int D>
 struct InitialFace {

@@ -7,127 +7,138 @@
 
 #include "engine/lattice/column.hpp"
 #include "engine/lattice/point_algebra.hpp"
-#include "engine/remeshed/ghosts/record_loads.hpp"
+#include "engine/remeshed/ghosts/initial_faces.hpp"
+#include "engine/remeshed/loads/facet_parts.hpp"
 #include "engine/remeshed/observe/surface_pieces.hpp"
 
 namespace pliant::remeshed {
 
-/// The loads on the components of a facet's area vector along `normal`, and the share of the facet
-/// on which they act.
-template <int D>
-struct FacetLoad {
-  std::array<std::int8_t, D> load;
-  std::array<Point<D>, D> normal = axes();
-  double share = 1;
-  int faces = 1;  ///< to which the facet belongs; the first ones of `normal` if several
-
-  static constexpr std::array<Point<D>, D> axes() {
-    std::array<Point<D>, D> axes = {};
-    for (int a = 0; a < D; ++a) axes[a][a] = 1;
-    return axes;
-  }
-};
-
-/// Components of an area vector along the normals of a facet's faces.
-template <int D>
-PlaceVector<D> along_faces(const PlaceVector<D>& area, const std::array<Point<D>, D>& normals) {
-  Eigen::Matrix<double, D, D> columns;
-  for (int i = 0; i < D; ++i) columns.col(i) = column<D>(normals[i]);
-  return columns.inverse() * area;
-}
-
-/// Finds the loads on facets.
+/// Finds the parts of facets, and the loads on them.
 template <class T, int D>
 class FacetLoads {
  public:
   FacetLoads(const LatticeView<T, D>& view, const Shape& surface, const Boundaries<D>& boundaries)
       : view_(view), surface_(surface), boundaries_(boundaries) {}
 
-  FacetLoad<D> of(const SurfacePiece<D>& piece) const {
-    std::array<InitialFace<D>, D> faces;
-    for (int i = 0; i < D; ++i) faces[i] = face(start_of(piece[i]));
-    const auto [least, greatest] = std::ranges::minmax(faces, {}, &InitialFace<D>::load);
-    if (least.load != greatest.load && is_one_face(faces)) {
-      FacetLoad<D> result;
-      result.load.fill(greatest.load);
-      result.share = share_under(greatest.load, piece);
-      return result;
+  FacetParts<D> of(const SurfacePiece<D>& piece) const {
+    Corners corners;
+    std::array<PlaceVector<D>, D> places;
+    for (int i = 0; i < D; ++i) {
+      corners[i] = start_of(piece[i]);
+      places[i] = piece[i].place();
     }
-    return of_faces(piece, faces);
+    FacetParts<D> facet;
+    const PlaceVector<D> area = area_of(places);
+    if (area.norm() == 0) return facet;
+    facet.normal = as_point<D>(area.normalized());
+    std::array<InitialFace<D>, D> faces = {};
+    facet.count = find_faces(corners, faces);
+    for (int k = 0; k < facet.count; ++k) {
+      FacetPart<D>& part = facet.parts[k];
+      const auto [load, share] = facet.count == 1 ? load_on(corners) : load_on(corners, faces[k]);
+      part.load = load;
+      part.share = share;
+      part.normal = present_normal<T, D>(view_.body.lattice, view_.population.layout, view_.fields,
+                                         piece[0].inside->cell, faces[k].normal);
+    }
+    find_areas(facet);
+    return facet;
   }
 
  private:
+  using Corners = std::array<Point<D>, D>;
   static constexpr int samples = 16;  // along a facet
-
-  static bool is_one_face(const std::array<InitialFace<D>, D>& faces) {
-    return std::ranges::all_of(faces, [&](const InitialFace<D>& face) {
-      return dot<D>(face.normal, faces[0].normal) > one_face;
-    });
-  }
 
   // A facet that cuts off an edge belongs to two faces, or to three. Its area vector is the sum of
   // those of what it replaces of each, along their normals. The faces are those at its corners and
   // within half a spacing of them; one to which nothing of it belongs changes nothing. Normals that
   // are nearly in the plane of the others are left out, such as that of the other side of a slit.
-  FacetLoad<D> of_faces(const SurfacePiece<D>& piece,
-                        const std::array<InitialFace<D>, D>& at_corners) const {
+  int find_faces(const Corners& corners, std::array<InitialFace<D>, D>& faces) const {
     constexpr double least_sine = 0.5;
-    std::array<InitialFace<D>, D> faces = {};
     // Unit vectors that span the plane of the normals so far.
     std::array<Point<D>, D> directions = {};
     int count = 0;
-    const auto add = [&](const InitialFace<D>& face) {
-      Point<D> rest = face.normal;
+    const auto add = [&](const Point<D>& place) {
+      const InitialFace<D> found = face_at<D>(boundaries_, surface_, place);
+      Point<D> rest = found.normal;
       for (int k = 0; k < count; ++k) {
-        const double along = dot<D>(directions[k], face.normal);
+        const double along = dot<D>(directions[k], found.normal);
         for (int a = 0; a < D; ++a) rest[a] -= along * directions[k][a];
       }
       const double sine = norm<D>(rest);
       if (sine < least_sine) return;
       for (int a = 0; a < D; ++a) directions[count][a] = rest[a] / sine;
-      faces[count++] = face;
+      faces[count++] = found;
     };
-    for (const InitialFace<D>& face : at_corners) add(face);
-    for (const Crossing<D>& crossing : piece) {
-      const Point<D> start = start_of(crossing);
+    for (const Point<D>& corner : corners) add(corner);
+    for (const Point<D>& corner : corners) {
       for (int a = 0; a < D; ++a) {
         for (const double way : {-0.5, 0.5}) {
-          Point<D> beside = start;
+          Point<D> beside = corner;
           beside[a] += way * view_.body.lattice.spacing;
-          add(face(beside));
+          add(beside);
         }
       }
     }
-    FacetLoad<D> result;
-    result.load.fill(faces[0].load);
-    result.faces = count;
-    if (count == 1) return result;
-    for (int k = 0; k < count; ++k) {
-      result.load[k] = faces[k].load;
-      result.normal[k] = present_normal<T, D>(view_.body.lattice, view_.population.layout,
-                                              view_.fields, piece[0].inside->cell, faces[k].normal);
-    }
-    if constexpr (D == 3) {
-      if (count == 2) {
-        const auto [a, b, rest] = result.normal;
-        result.normal[2] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                            a[0] * b[1] - a[1] * b[0]};
-        result.load[2] = no_load;
-      }
-    }
-    return result;
+    return count;
   }
 
-  // The region of the load ends on this facet.
-  double share_under(std::int8_t load, const SurfacePiece<D>& piece) const {
-    std::array<Point<D>, D> corners;
-    for (int i = 0; i < D; ++i) corners[i] = start_of(piece[i]);
+  /// The areas of what the facet replaces of each face, along their normals.
+  static void find_areas(FacetParts<D>& facet) {
+    if (facet.count == 1) {
+      facet.parts[0].area = facet.normal;
+      return;
+    }
+    Eigen::Matrix<double, D, D> normals = Eigen::Matrix<double, D, D>::Identity();
+    for (int k = 0; k < facet.count; ++k) normals.col(k) = column<D>(facet.parts[k].normal);
+    if constexpr (D == 3) {
+      if (facet.count == 2) normals.col(2) = normals.col(0).cross(normals.col(1));
+    }
+    const PlaceVector<D> along = normals.inverse() * column<D>(facet.normal);
+    for (int k = 0; k < facet.count; ++k) {
+      facet.parts[k].area = as_point<D>(along[k] * normals.col(k));
+    }
+  }
+
+  struct PartialLoad {
+    std::int8_t load;
+    double share;
+  };
+
+  /// The load on a facet that belongs to one face.
+  PartialLoad load_on(const Corners& corners) const {
+    return load_where(corners, [this](const Point<D>& place) {
+      return face_at<D>(boundaries_, surface_, place).load;
+    });
+  }
+
+  /// The load on what a facet that cuts off an edge replaces of one of the faces there.
+  PartialLoad load_on(const Corners& corners, const InitialFace<D>& face) const {
+    return load_where(corners, [&](const Point<D>& place) {
+      const double height = dot<D>(difference<D>(place, face.place), face.normal);
+      Point<D> on_face = place;
+      for (int a = 0; a < D; ++a) on_face[a] -= height * face.normal[a];
+      return load_at<D>(boundaries_, on_face);
+    });
+  }
+
+  // Where the loads at the corners differ, a region ends on the facet.
+  template <class LoadAt>
+  PartialLoad load_where(const Corners& corners, LoadAt&& load_at_place) const {
+    std::int8_t load = no_load;
+    bool ends = false;
+    for (int i = 0; i < D; ++i) {
+      const std::int8_t at_corner = load_at_place(corners[i]);
+      ends = ends || (i > 0 && at_corner != load);
+      load = std::max(load, at_corner);
+    }
+    if (!ends) return {load, 1};
     int under = 0, count = 0;
     for_each_sample(corners, [&](const Point<D>& place) {
       ++count;
-      under += face(place).load == load ? 1 : 0;
+      under += load_at_place(place) == load ? 1 : 0;
     });
-    return static_cast<double>(under) / count;
+    return {load, static_cast<double>(under) / count};
   }
 
   /// Calls f(place) for places that share a segment or triangle in equal parts.
@@ -153,10 +164,6 @@ class FacetLoads {
       for (int a = 0; a < D; ++a) place[a] += weights[i] * corners[i][a];
     }
     return place;
-  }
-
-  InitialFace<D> face(const Point<D>& start) const {
-    return face_at<D>(boundaries_, surface_, start);
   }
 
   Point<D> start_of(const Crossing<D>& crossing) const {

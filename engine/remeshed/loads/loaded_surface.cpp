@@ -42,43 +42,31 @@ PlaceVector<D> between(const FieldStore<T, D>& fields, Field field, const FacetC
   return value;
 }
 
+/// Force of the loads at x on a facet with the area vector `area`. A traction acts on the size of a
+/// part along the normal of its face: dents of {phi = 0} in a flat face are no more area.
 template <int D>
-std::array<std::int8_t, D> nothing_loaded() {
-  std::array<std::int8_t, D> load;
-  load.fill(no_load);
-  return load;
-}
-
-/// Force of the loads at x on the components of an area vector along the normals of a facet's
-/// faces.
-template <int D>
-FacetForce<D> force_of(const LoadedFacet<D>& facet, const PlaceVector<D>& area, const Point<D>& x,
+FacetForce<D> force_of(const FacetParts<D>& facet, const PlaceVector<D>& area, const Point<D>& x,
                        const BoundaryValues<D>& values) {
-  const std::array<std::int8_t, D>& load = facet.load;
-  const PlaceVector<D> along = along_faces<D>(area, facet.normal);
   FacetForce<D> force{PlaceVector<D>::Zero(), PlaceVector<D>::Zero(), column<D>(x)};
-  for (int i = 0; i < D; ++i) {
-    if (load[i] < 0 || std::find(load.begin(), load.begin() + i, load[i]) != load.begin() + i) {
-      continue;
-    }
-    PlaceVector<D> part = PlaceVector<D>::Zero();
-    for (int k = i; k < D; ++k) {
-      if (load[k] == load[i]) part += along[k] * column<D>(facet.normal[k]);
-    }
-    force.whole -= values.pressure_at(load[i], x) * part;
-    const double size = part.norm();
-    if (size == 0) continue;
-    const PlaceVector<D> traction = column<D>(values.traction_at(load[i], x));
-    force.whole += size * traction;
-    force.shear += size * traction - traction.dot(part) / size * part;
-  }
+  for_each_loaded_part<D>(
+      facet, area, [&](int load, const PlaceVector<D>& part, const PlaceVector<D>& n) {
+        const PlaceVector<D> traction = part.dot(n) * column<D>(values.traction_at(load, x));
+        force.whole += traction - values.pressure_at(load, x) * part;
+        force.shear += traction - traction.dot(n) * n;
+      });
   return force;
 }
 
 template <int D>
+bool is_loaded(const FacetParts<D>& facet) {
+  return std::ranges::any_of(facet.parts, [](const FacetPart<D>& part) { return part.load >= 0; });
+}
+
+template <int D>
 bool is_under_traction(const LoadedFacet<D>& facet, const Boundaries<D>& boundaries) {
-  return std::ranges::any_of(facet.load,
-                             [&](std::int8_t load) { return boundaries.is_traction(load); });
+  return std::ranges::any_of(facet.parts.parts, [&](const FacetPart<D>& part) {
+    return boundaries.is_traction(part.load);
+  });
 }
 
 }  // namespace
@@ -109,11 +97,8 @@ void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& s
     }
     facet.share = positive_share<D>(before_walls);
     if (facet.share == 0) return;
-    const FacetLoad<D> found = loads.of(piece);
-    facet.load = found.load;
-    facet.normal = found.normal;
-    facet.share *= found.share;
-    if (facet.load != nothing_loaded<D>()) facets.push_back(facet);
+    facet.parts = loads.of(piece);
+    if (is_loaded(facet.parts)) facets.push_back(facet);
   };
   const auto phi = level_set_of<T, D>(view);
   const Layout<D>& layout = view.population.layout;
@@ -142,7 +127,7 @@ FacetForce<D> force_at_stage(const Body<T, D>& body, const LoadedFacet<D>& facet
     places[i] = between<T, D>(place, Field::drift, corner) + column<D>(corner.place);
     middle += places[i] / D;
   }
-  FacetForce<D> force = force_of<D>(facet, area_of(places), as_point<D>(middle), values);
+  FacetForce<D> force = force_of<D>(facet.parts, area_of(places), as_point<D>(middle), values);
   force.whole *= facet.share;
   force.shear *= facet.share;
   return force;

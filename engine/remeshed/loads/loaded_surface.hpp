@@ -15,14 +15,6 @@ void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& s
                         const Boundaries<D>& boundaries, std::vector<LoadedFacet<D>>& facets,
                         std::vector<ShearPatch<D>>& patches);
 
-/// Area of a segment or triangle times its normal, which points to the right of the segment.
-inline PlaceVector<2> area_of(const std::array<PlaceVector<2>, 2>& x) {
-  return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
-}
-inline PlaceVector<3> area_of(const std::array<PlaceVector<3>, 3>& x) {
-  return (x[1] - x[0]).cross(x[2] - x[0]) / 2;
-}
-
 /// The load on a facet, and its part along the surface.
 template <int D>
 struct FacetForce {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/lattice/tangents.hpp"
+#include "engine/remeshed/loads/facet_parts.hpp"
 #include "engine/remeshed/loads/loaded_surface.hpp"
 
 namespace pliant::remeshed {
@@ -130,13 +131,13 @@ class ShareFinder {
     return true;
   }
 
-  // Where a facet cuts off an edge, its face is that of the loaded components of its area.
   PlaceVector<D> area_under_traction(const LoadedFacet<D>& facet,
                                      const std::array<PlaceVector<D>, D>& places) const {
-    PlaceVector<D> area = area_of(places);
-    for (int a = 0; a < D; ++a) {
-      if (!boundaries_.is_traction(facet.load[a])) area[a] = 0;
-    }
+    PlaceVector<D> area = PlaceVector<D>::Zero();
+    for_each_loaded_part<D>(facet.parts, area_of(places),
+                            [&](int load, const PlaceVector<D>& part, const PlaceVector<D>&) {
+                              if (boundaries_.is_traction(load)) area += part;
+                            });
     return area;
   }
 

@@ -4,20 +4,17 @@
 
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/remeshed/loads/facet_loads.hpp"
-#include "engine/remeshed/loads/loaded_surface.hpp"
 #include "engine/remeshed/observe/surface_pieces.hpp"
 
 namespace pliant::remeshed {
 
 namespace {
 
-/// Area of what a facet with this area vector stands for.
+/// The area of what a facet stands for, over its own.
 template <int D>
-double size_of(const PlaceVector<D>& area, const FacetLoad<D>& facet) {
-  if (facet.faces == 1) return area.norm();
-  const PlaceVector<D> along = along_faces<D>(area, facet.normal);
+double relative_size(const FacetParts<D>& facet) {
   double size = 0;
-  for (int i = 0; i < facet.faces; ++i) size += std::abs(along[i]);
+  for (int k = 0; k < facet.count; ++k) size += column<D>(facet.parts[k].area).norm();
   return size;
 }
 
@@ -32,7 +29,7 @@ double surface_area(const LatticeView<T, D>& view, const Boundaries<D>& boundari
   for_each_surface_piece(
       view, boundaries,
       [&](const SurfacePiece<D>& piece, const std::array<PlaceVector<D>, D>& places) {
-        sum += size_of<D>(area_of(places), has_known_edges ? facets.of(piece) : FacetLoad<D>{});
+        sum += area_of(places).norm() * (has_known_edges ? relative_size<D>(facets.of(piece)) : 1);
       });
   return sum;
 }

@@ -10,6 +10,9 @@
 /// Facets on which loads act, and the particles behind those under tractions.
 namespace pliant::remeshed {
 
+/// In place of the number of a load.
+inline constexpr std::int8_t no_load = -1;
+
 /// A corner of a facet. It lies between two slots and moves with them.
 template <int D>
 struct FacetCorner {
@@ -18,13 +21,30 @@ struct FacetCorner {
   Point<D> place;                ///< at xi = 0 [m]
 };
 
-/// A facet of {phi = 0} on which a load acts; its normal points out of the body.
+/// The part of a facet that belongs to one face of the body.
+template <int D>
+struct FacetPart {
+  std::int8_t load = no_load;
+  double share = 1;      ///< of it on which the load acts
+  Point<D> area = {};    ///< its area vector over the area of the facet
+  Point<D> normal = {};  ///< of the face
+};
+
+/// A facet of {phi = 0} in its parts, as it is at a remeshing. One that cuts off an edge has a part
+/// on each of the faces there.
+template <int D>
+struct FacetParts {
+  Point<D> normal = {};  ///< of the facet
+  int count = 0;
+  std::array<FacetPart<D>, D> parts = {};
+};
+
+/// A facet on which a load acts; its normal points out of the body.
 template <int D>
 struct LoadedFacet {
   std::array<FacetCorner<D>, D> corners;
-  double share;                     ///< share in front of attached walls
-  std::array<std::int8_t, D> load;  ///< on each component of its area vector along `normal`
-  std::array<Point<D>, D> normal;   ///< of the faces to which it belongs, at the remeshing; a basis
+  double share;  ///< share in front of attached walls
+  FacetParts<D> parts;
 };
 
 /// Facets in one cube of nodes that are under a traction; they share the particles behind them.
