@@ -11,6 +11,10 @@ namespace pliant {
 /// Whether a body overhangs a no-slip wall that holds it.
 bool overhangs_a_wall(const Case& a_case, const BodyCase& body);
 
+/// Whether a body overhangs a slip wall, with a free surface that leans over it by more than 33
+/// degrees.
+bool overhangs_a_slip_wall(const Case& a_case, const BodyCase& body);
+
 /// Warns of bodies that overhang a no-slip wall and are so thin in spacings that one of the errors
 /// applies; `errors` are in ascending order of `across`.
 void warn_of_overhangs(const Case& a_case, std::span<const ThinBodyError> errors,

@@ -167,6 +167,11 @@ constexpr ThinBodyError errors_of_round_bodies_under_tractions[] = {
 constexpr ThinBodyError error_between_walls = {
     14, "walls that shear or bend it meet up to 8 % too little force"};
 
+// Measured for discs between slip walls, docs/decisions/0078.
+constexpr ThinBodyError errors_over_slip_walls[] = {
+    {15, "it leans over a wall along which it slides, and moves there by up to 45 % too little"},
+    {33, "it leans over a wall along which it slides, and moves there by up to 20 % too little"}};
+
 // Measured for cantilevers, docs/decisions/0068.
 constexpr double error_of_slender_bodies = 0.0115;
 
@@ -227,6 +232,8 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
     warn_of_thin_bodies(a_case, errors_of_round_bodies_under_tractions, warnings,
                         [](const BodyCase& body) { return has_round_part(body.geometry); });
   }
+  warn_of_thin_bodies(a_case, errors_over_slip_walls, warnings,
+                      [&](const BodyCase& body) { return overhangs_a_slip_wall(a_case, body); });
   if (has_loads(a_case)) warn_of_slender_bodies(a_case, error_of_slender_bodies, warnings);
   warn_of_reentrant_corners(a_case, error_at_reentrant_corners, warnings);
   warn_of_small_hollows(a_case, errors_around_hollows, warnings);

@@ -12,6 +12,7 @@ namespace pliant::remeshed {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double fit_radius = 2.6;   // [h], of (RP.43)
 constexpr double mean_radius = 2.5;  // [h], of (RP.49)
 constexpr double widening = 1.3;
@@ -61,12 +62,26 @@ typename GhostFitter<T, D>::Scratch& GhostFitter<T, D>::scratch() {
   return scratch;
 }
 
+// The body and its image in a slip wall that it overhangs meet in a re-entrant corner.
+template <class T, int D>
+double GhostFitter<T, D>::to_overhung_wall(const FitSite<D>& site, const Point<D>& foot) const {
+  constexpr double leaning = 0.2;
+  const auto [nearest, distance] = boundaries_.nearest_wall(foot);
+  if (nearest < 0 || !boundaries_.walls[nearest].slips()) return infinity;
+  const Point<D> w = boundaries_.walls[nearest].normal(foot);
+  double cosine = 0;
+  for (int a = 0; a < D; ++a) cosine += w[a] * site.normal[a];
+  return cosine < -leaning ? distance : infinity;
+}
+
 template <class T, int D>
 void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall,
                             bool at_edge) {
   const double h = body_.lattice.spacing;
   const double wall_distance = boundaries_.distance_to_no_slip(foot) / h;
-  const double corner_distance = corners_.distance(foot) / h;
+  const double corner_distance =
+      std::min(corners_.distance(foot), wall == nullptr ? to_overhung_wall(site, foot) : infinity) /
+      h;
   Waiting& ghost = scratch_.waiting[waiting_++];
   ghost.site = site;
   ghost.wall = wall;

@@ -60,6 +60,8 @@ class GhostFitter {
   };
   static Scratch& scratch();
 
+  /// From the foot point of a free surface to a slip wall over which it leans [m], or infinite.
+  double to_overhung_wall(const FitSite<D>& site, const Point<D>& foot) const;
   void fill_lanes(int length);
   void fill_lane(int lane, int length);
   void fit_lanes(int length);

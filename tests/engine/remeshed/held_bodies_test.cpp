@@ -6,6 +6,7 @@
 
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
+#include "tests/engine/undeformed/loads.hpp"
 
 // Plane bodies under a constant load, or between walls at rest, come to rest and stay at rest.
 namespace pliant::test {
@@ -197,6 +198,54 @@ geometry = { shape = "box", lower = [0.3, 0.55], upper = [0.75, 9] }
   EXPECT_TRUE(warns(traction, "1/25"));
   EXPECT_FALSE(warns(traction, "1/28"));
   EXPECT_FALSE(warns("kind = \"pressure\"\npressure = 1\n", "1/16"));
+}
+
+/// A round body of 1 m on slip walls that cut it at `height` along each axis.
+std::string leaning_body(int dimension, int across, double height) {
+  std::string text = fmt::format(
+      "dimension = {}\ntime.end = 8\ndiscretisation = {{ spacing = \"1/{}\", damping = "
+      "\"adaptive\" "
+      "}}\n[[body]]\nname = \"round\"\nmaterial = {{ model = \"neo_hookean\", density = 1, "
+      "youngs_modulus = 10, poissons_ratio = 0.3 }}\n",
+      dimension, across);
+  text += dimension == 2
+              ? "geometry = { shape = \"disc\", centre = [0.5, 0.5], radius = 0.5 }\n"
+              : "geometry = { shape = \"ball\", centre = [0.5, 0.5, 0.5], radius = 0.5 }\n";
+  for (int a = 0; a < dimension; ++a) {
+    const std::string z = dimension == 3 ? fmt::format(", {}", height) : "";
+    const std::string normal =
+        dimension == 3 ? fmt::format("[{}, {}, {}]", int(a == 0), int(a == 1), int(a == 2))
+                       : fmt::format("[{}, {}]", int(a == 0), int(a == 1));
+    text += half_space(fmt::format("wall_{}", a), "kind = \"slip_wall\"",
+                       fmt::format("[{0}, {0}{1}]", height, z), normal);
+  }
+  return text;
+}
+
+// They move 0.55 to 0.9 as far as they should with 8 to 32 across.
+TEST(held_bodies, are_warned_of_if_they_lean_over_slip_walls) {
+  const auto warns = [](int across, double height) {
+    const auto warnings = warnings_of_method(tests::read_text(leaning_body(2, across, height)));
+    return std::ranges::any_of(warnings, [](const std::string& warning) {
+      return warning.find("leans over a wall") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(warns(10, 0.1));
+  EXPECT_TRUE(warns(32, 0.1));
+  EXPECT_FALSE(warns(36, 0.1));
+  EXPECT_FALSE(warns(10, 0.3));
+}
+
+// The surface and its image in the wall meet in a re-entrant corner. The fits there created energy,
+// so that the body never came to rest.
+TEST(held_bodies, that_lean_over_slip_walls_come_to_rest) {
+  const std::string gravity =
+      "gravity = [\"0.2*min(t/4, 1)\", \"-0.1*min(t/4, 1)\", "
+      "\"-0.3*min(t/4, 1)\"]\n";
+  const std::vector<double> energy = values_at_end<3>(
+      gravity + leaning_body(3, 12, 0.2) + measurement("kinetic", "kind = \"kinetic_energy\"\n") +
+      measurement("strain", "kind = \"strain_energy\"\n"));
+  EXPECT_LT(energy[0], 1e-4 * energy[1]);
 }
 
 TEST(held_bodies, meet_too_little_force_between_walls_if_they_are_thin) {

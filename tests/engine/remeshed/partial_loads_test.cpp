@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 #include "tests/engine/undeformed/loads.hpp"
@@ -9,7 +11,7 @@
 namespace pliant::test {
 namespace {
 
-std::string block(int across, const std::string& lower, const std::string& upper) {
+std::string block(double across, const std::string& lower, const std::string& upper) {
   return fmt::format(
       "discretisation = {{ spacing = \"1/{}\", damping = \"adaptive\" }}\ntime.end = 2\n[[body]]\n"
       "name = \"block\"\ngeometry = {{ shape = \"box\", lower = [{}], upper = [{}] }}\n"
@@ -61,6 +63,51 @@ TEST(partial_loads, on_both_sides_do_not_move_a_block_along_its_floor) {
                     load("pressure", "\"20*min(t, 1)\"", "-9, 0.85", "9, 9") +
                     measurement("along", "kind = \"centre_of_mass\"\naxis = \"x\"\n"));
   EXPECT_NEAR(found[0], 0, 1e-4);
+}
+
+// A block on a floor, pulled by a traction on its top and on strips of its sides. The two corners
+// of the top are cut off differently where the sides are between rows of particles. The parts of
+// their facets were loaded as one, along a mean normal, and the block bent by up to 0.5 of its
+// extension.
+TEST(partial_loads, pull_a_block_straight) {
+  const auto place = [](const std::string& axis) {
+    return measurement(
+        axis, "kind = \"point_displacement\"\npoint = [0, 2.4]\naxis = \"" + axis + "\"\n");
+  };
+  // By the total Lagrangian method with 40 across.
+  const std::map<double, double> extension = {{0.001, 0.01085}, {0.02, 0.01126}, {0.1, 0.01293}};
+  for (const auto& [strip, right] : extension) {
+    for (const double across : {10., 13.3, 16.6}) {
+      const std::vector<double> found = values_at_end(
+          block(across, "-0.5, 0", "0.5, 3") + floor_below +
+          load("traction", "[0, \"5*min(t, 1)\"]", fmt::format("-9, {}", 3 - strip), "9, 9") +
+          place("x") + place("y"));
+      EXPECT_NEAR(found[0], 0, 0.03 * right) << strip << ", " << across;
+      EXPECT_NEAR(found[1], right, 0.015 * right) << strip << ", " << across;
+    }
+  }
+}
+
+// In 3D by up to 0.27 of its extension, with 0.91 of its load.
+TEST(partial_loads, pull_a_bar_straight_in_3d) {
+  const std::string at_end = "kind = \"point_displacement\"\npoint = [1.6, 0.4, 0.4]\n";
+  const std::vector<double> found = values_at_end<3>(R"toml(dimension = 3
+discretisation = { spacing = "1/10", damping = "adaptive" }
+time.end = 2
+[[body]]
+name = "bar"
+geometry = { shape = "box", lower = [0, 0, 0], upper = [2, 0.8, 0.77] }
+material = { model = "neo_hookean", youngs_modulus = 1000, poissons_ratio = 0.3, density = 1 }
+[[boundary]]
+name = "wall"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0, 0, 0], normal = [1, 0, 0] }
+)toml" + load("traction", "[\"10*min(t, 1)\", 0, 0]", "1.9, -9, -9", "9, 9, 9") +
+                                                     measurement("x", at_end + "axis = \"x\"\n") +
+                                                     measurement("y", at_end + "axis = \"y\"\n") +
+                                                     measurement("z", at_end + "axis = \"z\"\n"));
+  EXPECT_NEAR(found[1], 0, 0.04 * found[0]);
+  EXPECT_NEAR(found[2], 0, 0.04 * found[0]);
 }
 
 TEST(closest_points, of_particles_on_the_bisectors_of_corners_are_on_the_sides) {

@@ -40,10 +40,11 @@ void advance_until(remeshed::Solver<double, D>& solver, double time) {
   while (solver.clock().time < time * (1 - 1e-12)) solver.step(time - solver.clock().time);
 }
 
-/// The measurements of a plane case at its end.
-inline std::vector<double> values_at_end(const std::string& text) {
+/// The measurements of a case at its end.
+template <int D = 2>
+std::vector<double> values_at_end(const std::string& text) {
   const Case settings = tests::read_text(text);
-  Solver solver(settings, {2, kernels::widest_supported()});
+  remeshed::Solver<double, D> solver(settings, {2, kernels::widest_supported()});
   advance_until(solver, settings.time.end);
   return solver.measure();
 }
