@@ -8,6 +8,7 @@
 #include "engine/case/blade_track.hpp"
 #include "engine/case/checks/check_motion.hpp"
 #include "engine/case/checks/hollows.hpp"
+#include "engine/case/checks/narrow_places.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/method/initial_stress.hpp"
@@ -167,6 +168,15 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {6.5, "stresses around it deviate by up to 15 % of the largest one"},
       {9, "stresses around it deviate by up to 11 % of the largest one"}};
   warn_of_small_hollows(a_case, hollows, warnings);
+  // Measured for slots in blocks, docs/decisions/0090.
+  static constexpr ThinBodyError gaps[] = {{1.3, "it may act as if it were closed"},
+                                           {2, "displacements beside it are up to 20 % too small"}};
+  warn_of_narrow_gaps(a_case, gaps, warnings);
+  // Measured for fins of blocks, docs/decisions/0090.
+  static constexpr ThinBodyError thin_parts[] = {
+      {1.8, "it bends up to 60 % too little, or the run stops"},
+      {3.5, "it bends up to 25 % too little"}};
+  warn_of_thin_parts(a_case, thin_parts, warnings);
   // Measured for trapezoids, and discs and balls held by a cap, docs/decisions/0078.
   static constexpr ThinBodyError held_by_a_cap[] = {
       {8.5, "forces and displacements deviate by up to 13 %, as it overhangs a wall that holds it"},

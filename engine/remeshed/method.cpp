@@ -8,6 +8,7 @@
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/hollows.hpp"
 #include "engine/case/checks/measured_edges.hpp"
+#include "engine/case/checks/narrow_places.hpp"
 #include "engine/case/checks/short_runs.hpp"
 #include "engine/case/checks/stability.hpp"
 #include "engine/case/checks/thickness.hpp"
@@ -190,6 +191,16 @@ constexpr ThinBodyError errors_around_hollows[] = {
     {10, "its edge moves up to 10 % too far, and stresses there are up to 15 % too small"},
     {13, "stresses at its edge are up to 8 % too small"}};
 
+// Measured for slots in blocks, docs/decisions/0090.
+constexpr ThinBodyError errors_at_gaps[] = {
+    {2.7, "it may act as if it were closed, or the run may stop"},
+    {3.5, "displacements beside it deviate by up to 10 %"}};
+
+// Measured for fins of blocks, docs/decisions/0090.
+constexpr ThinBodyError errors_of_thin_parts[] = {
+    {2.7, "it bends several times too far, or the run stops"},
+    {4.5, "it bends up to 35 % too far or too little"}};
+
 // Measured for turned cubes, docs/decisions/0083.
 constexpr std::string_view error_at_inclined_edges =
     "there displacements deviate by up to 28 % and stresses by up to 21 % of the largest ones in "
@@ -237,6 +248,8 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   if (has_loads(a_case)) warn_of_slender_bodies(a_case, error_of_slender_bodies, warnings);
   warn_of_reentrant_corners(a_case, error_at_reentrant_corners, warnings);
   warn_of_small_hollows(a_case, errors_around_hollows, warnings);
+  warn_of_narrow_gaps(a_case, errors_at_gaps, warnings);
+  warn_of_thin_parts(a_case, errors_of_thin_parts, warnings);
   if (a_case.dimension == 3) warn_of_measured_edges(a_case, error_at_inclined_edges, warnings);
   warn_of_resting_bodies(a_case, warnings);
   warn_of_ties(a_case, warnings);

@@ -9,6 +9,7 @@
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/hollows.hpp"
 #include "engine/case/checks/measured_edges.hpp"
+#include "engine/case/checks/narrow_places.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/geometry/plane_across.hpp"
 #include "engine/method/initial_velocity.hpp"
@@ -127,6 +128,15 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {6.5, "stresses around it deviate by up to 10 % of the largest one"},
       {9, "stresses around it deviate by up to 5 % of the largest one"}};
   warn_of_small_hollows(a_case, hollows, warnings);
+  // Measured for slots in blocks, docs/decisions/0090.
+  static constexpr ThinBodyError gaps[] = {
+      {2.1, "it may act as if it were closed"},
+      {2.7, "displacements beside it are up to 20 % too small"}};
+  warn_of_narrow_gaps(a_case, gaps, warnings);
+  // Measured for fins of blocks, docs/decisions/0090.
+  static constexpr ThinBodyError thin_parts[] = {{2.5, "it bends up to 40 % too little"},
+                                                 {3.5, "it bends up to 13 % too little"}};
+  warn_of_thin_parts(a_case, thin_parts, warnings);
   // Measured for turned blocks, docs/decisions/0083.
   warn_of_measured_edges(a_case,
                          "there stresses deviate by up to 40 % and displacements by up to 14 % of "

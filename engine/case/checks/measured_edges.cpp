@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/signed_distance.hpp"
+#include "engine/case/checks/probes.hpp"
 
 namespace pliant {
 
@@ -18,17 +18,6 @@ double product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b
 bool lies_along_an_axis(const Vector& normal) {
   constexpr double along = 0.9994;  // cosine of 2 degrees
   return std::ranges::any_of(normal, [](double n) { return std::abs(n) > along; });
-}
-
-/// The point of the surface next to `x`.
-Vector foot_of(const Shape& shape, Vector x, int dimension) {
-  constexpr int steps = 3;
-  for (int k = 0; k < steps; ++k) {
-    const double distance = signed_distance(shape, x, dimension);
-    const Vector out = outward_direction(shape, x, dimension);
-    for (int a = 0; a < dimension; ++a) x[a] -= distance * out[a];
-  }
-  return x;
 }
 
 /// Whether faces with different normals, not all along axes, are within `reach` [m] of `x`.

@@ -35,4 +35,15 @@ inline double step_of_probes(const Box<3>& box, int dimension) {
   return std::pow(volume / probes, 1. / dimension);
 }
 
+/// The point of the surface next to `x`.
+inline Vector foot_of(const Shape& shape, Vector x, int dimension) {
+  constexpr int steps = 3;
+  for (int k = 0; k < steps; ++k) {
+    const double distance = signed_distance(shape, x, dimension);
+    const Vector out = outward_direction(shape, x, dimension);
+    for (int a = 0; a < dimension; ++a) x[a] -= distance * out[a];
+  }
+  return x;
+}
+
 }  // namespace pliant
