@@ -158,15 +158,18 @@ double selected_share(const Body<T, D>& body, std::int64_t slot, const Measureme
 
 }  // namespace
 
+// What walls cover is rigid, (PB.21), and has neither stress nor strain.
 template <class T, int D>
 double mean_value(const Body<T, D>& body, const MeasurementCase& m, double t) {
+  const bool deforms = m.field.starts_with("stress") || m.field.starts_with("strain") ||
+                       m.field == "von_mises_stress" || m.field == "pressure";
   double sum = 0, volume = 0;
   body.for_each_node([&](std::int64_t slot) {
     const double share = selected_share(body, slot, m, t);
     if (share == 0) return;
-    const NodeState<D> node = node_state(body, body.block_of(slot), slot);
-    const double v = share * body.mass[slot] / body.material.density * node.volume_ratio;
-    sum += v * node_value(body, slot, m.field);
+    const double ratio = node_state(body, body.block_of(slot), slot).volume_ratio;
+    const double v = share * body.mass[slot] / body.material.density * ratio;
+    sum += (deforms ? share * body.volume[slot] * ratio : v) * node_value(body, slot, m.field);
     volume += v;
   });
   return volume > 0 ? sum / volume : no_value;
