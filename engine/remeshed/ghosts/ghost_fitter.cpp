@@ -4,7 +4,9 @@
 #include <atomic>
 #include <limits>
 
+#include "engine/lattice/column.hpp"
 #include "engine/remeshed/ghosts/lasting_correction.hpp"
+#include "engine/remeshed/ghosts/overhung_wall.hpp"
 #include "engine/storage/push_tightly.hpp"
 #include "kernels/remeshed/ghosts/fit_coefficients.hpp"
 
@@ -12,7 +14,6 @@ namespace pliant::remeshed {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double fit_radius = 2.6;   // [h], of (RP.43)
 constexpr double mean_radius = 2.5;  // [h], of (RP.49)
 constexpr double widening = 1.3;
@@ -50,6 +51,7 @@ GhostFitter<T, D>::GhostFitter(const Body<T, D>& body, const Population<T, D>& p
     : body_(body),
       ghosts_(ghosts),
       search_(body.lattice, population, level_set),
+      level_set_(level_set),
       boundaries_(boundaries),
       corners_(corners),
       rim_reach_(rim_reach(body, boundaries)),
@@ -62,32 +64,23 @@ typename GhostFitter<T, D>::Scratch& GhostFitter<T, D>::scratch() {
   return scratch;
 }
 
-// The body and its image in a slip wall that it overhangs meet in a re-entrant corner.
-template <class T, int D>
-double GhostFitter<T, D>::to_overhung_wall(const FitSite<D>& site, const Point<D>& foot) const {
-  constexpr double leaning = 0.2;
-  const auto [nearest, distance] = boundaries_.nearest_wall(foot);
-  if (nearest < 0 || !boundaries_.walls[nearest].slips()) return infinity;
-  const Point<D> w = boundaries_.walls[nearest].normal(foot);
-  double cosine = 0;
-  for (int a = 0; a < D; ++a) cosine += w[a] * site.normal[a];
-  return cosine < -leaning ? distance : infinity;
-}
-
 template <class T, int D>
 void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall,
                             bool at_edge) {
   const double h = body_.lattice.spacing;
   const double wall_distance = boundaries_.distance_to_no_slip(foot) / h;
-  const double corner_distance =
-      std::min(corners_.distance(foot), wall == nullptr ? to_overhung_wall(site, foot) : infinity) /
-      h;
+  double corner_distance = corners_.distance(foot) / h;
+  if (wall == nullptr) {
+    const double to_overhung =
+        distance_to_overhung_wall<T, D>(boundaries_, level_set_, h, foot, as_point<D>(site.normal));
+    corner_distance = std::min(corner_distance, to_overhung / h);
+  }
   Waiting& ghost = scratch_.waiting[waiting_++];
   ghost.site = site;
   ghost.wall = wall;
   // The curved fit overshoots where the solution is singular: at walls that hold the body, where
-  // they meet the free surface, and at re-entrant corners. A slip wall is a plane of symmetry
-  // without a corner.
+  // they meet the free surface, and at re-entrant corners. A slip wall is a plane of symmetry,
+  // without a corner unless the surface leans over it.
   const bool is_curved =
       wall == nullptr && wall_distance > fit_radius && corner_distance > corner_reach;
   ghost.curved = is_curved ? share_of_curved_fit(body_) : 0;

@@ -60,8 +60,6 @@ class GhostFitter {
   };
   static Scratch& scratch();
 
-  /// From the foot point of a free surface to a slip wall over which it leans [m], or infinite.
-  double to_overhung_wall(const FitSite<D>& site, const Point<D>& foot) const;
   void fill_lanes(int length);
   void fill_lane(int lane, int length);
   void fit_lanes(int length);
@@ -75,6 +73,7 @@ class GhostFitter {
   const Body<T, D>& body_;
   BlockGhosts<T, D>& ghosts_;
   FitSearch<T, D> search_;
+  const LevelSet<T, D>& level_set_;
   const Boundaries<D>& boundaries_;
   const ReentrantCorners<D>& corners_;
   double rim_reach_;  ///< [h]

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/boundaries/walls.hpp"
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/remeshed/state/body.hpp"
 
 /// The surface at t = 0, and where its normals are now.
@@ -16,6 +17,15 @@ struct InitialFace {
   Point<D> normal;  ///< unit, out of the body
   std::int8_t load;
 };
+
+/// The point of the plane of a face next to `x`.
+template <int D>
+Point<D> onto_plane(const InitialFace<D>& face, const Point<D>& x) {
+  const double height = dot<D>(difference<D>(x, face.place), face.normal);
+  Point<D> foot = x;
+  for (int a = 0; a < D; ++a) foot[a] -= height * face.normal[a];
+  return foot;
+}
 
 /// Whether places belong to one face, by the cosine between their normals.
 inline constexpr double one_face = 0.8;

@@ -104,7 +104,7 @@ class LoadFinder {
   // nearest to `centre`. Where a region ends, that is a part. Beyond an edge of the body the face
   // does not continue; the loads on its last spacing are those at the edge.
   PartialLoad load_around(const InitialFace<D>& face, const Point<D>& centre) const {
-    const Point<D> middle = onto_plane(face, centre);
+    const Point<D> middle = onto_plane<D>(face, centre);
     const std::int8_t load = load_at<D>(boundaries_, middle);
     bool ends = false;
     for_each_place(face.normal, middle, 2, [&](const Point<D>& x, double) {
@@ -141,13 +141,6 @@ class LoadFinder {
     }
     if (loaded > 0) found.share = static_cast<double>(loaded) / count;
     return found;
-  }
-
-  static Point<D> onto_plane(const InitialFace<D>& face, const Point<D>& x) {
-    const double height = dot<D>(difference<D>(x, face.place), face.normal);
-    Point<D> foot = x;
-    for (int a = 0; a < D; ++a) foot[a] -= height * face.normal[a];
-    return foot;
   }
 
   /// Calls f(place, distance) for places of a plane within a spacing of `middle` along each of its

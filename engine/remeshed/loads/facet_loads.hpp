@@ -115,10 +115,7 @@ class FacetLoads {
   /// The load on what a facet that cuts off an edge replaces of one of the faces there.
   PartialLoad load_on(const Corners& corners, const InitialFace<D>& face) const {
     return load_where(corners, [&](const Point<D>& place) {
-      const double height = dot<D>(difference<D>(place, face.place), face.normal);
-      Point<D> on_face = place;
-      for (int a = 0; a < D; ++a) on_face[a] -= height * face.normal[a];
-      return load_at<D>(boundaries_, on_face);
+      return load_at<D>(boundaries_, onto_plane<D>(face, place));
     });
   }
 

@@ -116,10 +116,8 @@ traction = [1, 0]
       {"discretisation.damping=20"});
   Solver solver(settings, {1, kernels::widest_supported()});
   advance_until(solver, 1);
-  const double before = values(solver)["reaction"], start = solver.clock().time;
-  advance(solver, 20);
+  const double reaction = mean_reaction(solver);
   auto at_end = values(solver);
-  const double reaction = (at_end["reaction"] - before) / (solver.clock().time - start);
   const double pull = 1.01;  // the region has 0.01 m of the upper side
   const double strain = pull * (1 - poissons_ratio * poissons_ratio) / youngs_modulus;
   EXPECT_NEAR(reaction, -pull, 0.03);
