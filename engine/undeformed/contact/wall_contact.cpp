@@ -14,10 +14,6 @@ namespace pliant::undeformed {
 
 namespace {
 
-// Corners share particles, so a push may press a neighbour into the wall again, or out of it.
-constexpr int most_sweeps = 32;
-constexpr double settled = 1e-3;  // of the largest change in a sweep
-
 Box<3> without_end() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
@@ -71,6 +67,9 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
 
 template <class T, int D>
 void WallContact<T, D>::push_out(std::size_t s) {
+  // Corners share particles, so a push may press a neighbour into the wall again, or out of it.
+  constexpr int most_sweeps = 32;
+  constexpr double settled = 1e-3;  // of the largest change in a sweep
   PushedSurface<T, D>& surface = surfaces_[s];
   meetings_.clear();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
