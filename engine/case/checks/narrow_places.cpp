@@ -72,14 +72,15 @@ void warn_of_places(const Case& a_case, std::span<const ThinBodyError> errors, N
     if (resolution.of_elements || !has_parts) continue;
     const double enough = errors.back().across;
     const double width = narrowest(a_case, body.geometry, place, enough * resolution.size);
-    const ThinBodyError* error = error_at(errors, width / resolution.size);
+    const double across = width / resolution.size;
+    const ThinBodyError* error = error_at(errors, across);
     if (error == nullptr) continue;
     if (place == NarrowPlace::part && width > of_thickness * thickness(a_case, body)) continue;
-    const std::string_view what = place == NarrowPlace::gap ? "has a gap of {:.2g} spacings"
-                                                            : "has a part {:.2g} spacings thick";
-    warnings.push_back(fmt::format("body `{}` {}: {}; {}", body.name,
-                                   fmt::format(fmt::runtime(what), width / resolution.size),
-                                   error->deviation, resolution.remedy(width / enough)));
+    const std::string what = place == NarrowPlace::gap
+                                 ? fmt::format("a gap of {:.2g} spacings", across)
+                                 : fmt::format("a part {:.2g} spacings thick", across);
+    warnings.push_back(fmt::format("body `{}` has {}: {}; {}", body.name, what, error->deviation,
+                                   resolution.remedy(width / enough)));
   }
 }
 
