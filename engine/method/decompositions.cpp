@@ -1,5 +1,6 @@
 #include "engine/method/decompositions.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
@@ -28,6 +29,14 @@ MatrixOfAtMost<4> pseudo_inverse(const MatrixOfAtMost<4>& a, double threshold) {
   solver.setThreshold(threshold);
   solver.compute(a);
   return solver.pseudoInverse();
+}
+
+std::optional<MatrixOfAtMost<10>> solve_definite(const MatrixOfAtMost<10>& a,
+                                                 const MatrixOfAtMost<10>& b, double threshold) {
+  const Eigen::LDLT<MatrixOfAtMost<10>> factors(a);
+  const auto pivots = factors.vectorD();
+  if (!(pivots.minCoeff() > threshold * pivots.maxCoeff())) return std::nullopt;
+  return factors.solve(b);
 }
 
 template Eigensystem<2> eigensystem<2>(const Eigen::Matrix2d&);

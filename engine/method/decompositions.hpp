@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 
 /// Decompositions of small dense matrices. Eigen's templates take seconds to compile for each size,
 /// so they are instantiated only here, and once for all sizes where speed matters little.
@@ -36,5 +37,10 @@ Eigen::Matrix<double, N, N> pseudo_inverse(
     double threshold = N * std::numeric_limits<double>::epsilon()) {
   return pseudo_inverse(MatrixOfAtMost<4>(a), threshold);
 }
+
+/// X where A X = B, of a symmetric and positive definite A. None where A is singular: where a pivot
+/// is not above `threshold` times the largest.
+std::optional<MatrixOfAtMost<10>> solve_definite(const MatrixOfAtMost<10>& a,
+                                                 const MatrixOfAtMost<10>& b, double threshold);
 
 }  // namespace pliant

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <array>
+#include <optional>
 
 #include "engine/lattice/lattice.hpp"
+#include "engine/method/decompositions.hpp"
 
 namespace pliant {
 
@@ -28,14 +30,13 @@ class PolynomialFit {
 
   /// Returns false where the values do not determine the polynomials.
   bool solve() {
-    const auto factors = normal_.ldlt();
-    const auto pivots = factors.vectorD();
     constexpr double singular = 1e-9;
-    if (!(pivots.minCoeff() > singular * pivots.maxCoeff())) return false;
-    const Eigen::Matrix<double, terms, 1> of_value =
-        factors.solve(Eigen::Matrix<double, terms, 1>::Unit(0));
-    amplification_ = of_value[0] * normal_(0, 0);
-    right_ = factors.solve(right_).eval();
+    Eigen::Matrix<double, terms, V + 1> right;
+    right << right_, Eigen::Matrix<double, terms, 1>::Unit(0);
+    const std::optional<MatrixOfAtMost<10>> solved = solve_definite(normal_, right, singular);
+    if (!solved) return false;
+    right_ = solved->template leftCols<V>();
+    amplification_ = (*solved)(0, V) * normal_(0, 0);
     return true;
   }
 
