@@ -201,9 +201,9 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
     fit_surface(ChosenBonds<D>(nodes.cloud, choice), choice.slot_of, body);
   }
   if (parameters_of(settings).gradient == NodeGradient::patch_exact) {
-    correct_weights(nodes.cloud, body, choice);
+    correct_weights(nodes.cloud, body, choice, workers);
   } else if (!nodes.cloud.is_regular || choice.neighbours != nodes_around(D)) {
-    balance_bonds(nodes.cloud, body, boundaries, choice);
+    balance_bonds(nodes.cloud, body, boundaries, choice, workers);
   }
   make_bonds(choice, body);
   form_groups(choice.is_lattice(), body);

@@ -98,10 +98,11 @@ class Balance {
     }
   }
 
-  void improve() {
+  void improve(scheduler::Workers& workers) {
     const std::vector<bool> changes = nodes_that_change();
     WeightedNodes<D> part = part_that_changes(changes);
-    balance_weights(part, choice_.is_lattice() ? most_change_on_lattices : no_limit, least_force());
+    balance_weights(part, choice_.is_lattice() ? most_change_on_lattices : no_limit, least_force(),
+                    workers);
     choice_.correction.resize(changes.size());
     for (std::size_t m = 0; m < members_.size(); ++m) {
       if (!changes[members_[m]]) continue;
@@ -215,17 +216,18 @@ class Balance {
 
 template <class T, int D>
 void balance_bonds(const NodeCloud<D>& cloud, const Body<T, D>& body,
-                   const Boundaries<D>& boundaries, BondChoice<D>& choice) {
-  Balance<T, D>(cloud, body, boundaries, choice).improve();
+                   const Boundaries<D>& boundaries, BondChoice<D>& choice,
+                   scheduler::Workers& workers) {
+  Balance<T, D>(cloud, body, boundaries, choice).improve(workers);
 }
 
 template void balance_bonds(const NodeCloud<2>&, const Body<double, 2>&, const Boundaries<2>&,
-                            BondChoice<2>&);
+                            BondChoice<2>&, scheduler::Workers&);
 template void balance_bonds(const NodeCloud<3>&, const Body<double, 3>&, const Boundaries<3>&,
-                            BondChoice<3>&);
+                            BondChoice<3>&, scheduler::Workers&);
 template void balance_bonds(const NodeCloud<2>&, const Body<float, 2>&, const Boundaries<2>&,
-                            BondChoice<2>&);
+                            BondChoice<2>&, scheduler::Workers&);
 template void balance_bonds(const NodeCloud<3>&, const Body<float, 3>&, const Boundaries<3>&,
-                            BondChoice<3>&);
+                            BondChoice<3>&, scheduler::Workers&);
 
 }  // namespace pliant::point_based

@@ -63,7 +63,8 @@ bool have_gradients(const WeightedNodes<D>& nodes, const ChosenBonds<D>& bonds) 
 }  // namespace
 
 template <class T, int D>
-void correct_weights(const NodeCloud<D>& cloud, const Body<T, D>& body, BondChoice<D>& choice) {
+void correct_weights(const NodeCloud<D>& cloud, const Body<T, D>& body, BondChoice<D>& choice,
+                     scheduler::Workers& workers) {
   const ChosenBonds<D> bonds(cloud, choice);
   WeightedNodes<D> nodes = weighted_nodes(cloud, body, bonds);
   if (!span_their_surface(nodes)) {
@@ -72,7 +73,7 @@ void correct_weights(const NodeCloud<D>& cloud, const Body<T, D>& body, BondChoi
         "\"patch_exact\" needs; take a mesh of tetrahedra, or a box of whole cells on a lattice",
         body.name));
   }
-  if (!have_gradients(nodes, bonds) || !(make_patch_exact(nodes) < exact)) {
+  if (!have_gradients(nodes, bonds) || !(make_patch_exact(nodes, workers) < exact)) {
     throw InputError(
         fmt::format("no weights of the bonds of body `{}` pass the patch test; give more "
                     "point_based.neighbours, or gradient = \"moving_least_squares\"",
@@ -85,9 +86,13 @@ void correct_weights(const NodeCloud<D>& cloud, const Body<T, D>& body, BondChoi
   choice.correction = std::move(factors);
 }
 
-template void correct_weights(const NodeCloud<2>&, const Body<double, 2>&, BondChoice<2>&);
-template void correct_weights(const NodeCloud<3>&, const Body<double, 3>&, BondChoice<3>&);
-template void correct_weights(const NodeCloud<2>&, const Body<float, 2>&, BondChoice<2>&);
-template void correct_weights(const NodeCloud<3>&, const Body<float, 3>&, BondChoice<3>&);
+template void correct_weights(const NodeCloud<2>&, const Body<double, 2>&, BondChoice<2>&,
+                              scheduler::Workers&);
+template void correct_weights(const NodeCloud<3>&, const Body<double, 3>&, BondChoice<3>&,
+                              scheduler::Workers&);
+template void correct_weights(const NodeCloud<2>&, const Body<float, 2>&, BondChoice<2>&,
+                              scheduler::Workers&);
+template void correct_weights(const NodeCloud<3>&, const Body<float, 3>&, BondChoice<3>&,
+                              scheduler::Workers&);
 
 }  // namespace pliant::point_based

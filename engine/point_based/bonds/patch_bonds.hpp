@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/point_based/bonds/bonds.hpp"
+#include "scheduler/workers.hpp"
 
 namespace pliant::point_based {
 
@@ -8,6 +9,7 @@ namespace pliant::point_based {
 /// Throws InputError if surface nodes are not on the surface of the body, or if no weights pass the
 /// test.
 template <class T, int D>
-void correct_weights(const NodeCloud<D>& cloud, const Body<T, D>& body, BondChoice<D>& choice);
+void correct_weights(const NodeCloud<D>& cloud, const Body<T, D>& body, BondChoice<D>& choice,
+                     scheduler::Workers& workers);
 
 }  // namespace pliant::point_based

@@ -14,8 +14,8 @@ constexpr double regularisation = 0.03;
 }  // namespace
 
 template <int D>
-double make_patch_exact(WeightedNodes<D>& nodes) {
-  PatchTest<D> test(nodes);
+double make_patch_exact(WeightedNodes<D>& nodes, scheduler::Workers& workers) {
+  PatchTest<D> test(nodes, workers);
   double worst = test.worst();
   // The first steps need no accuracy, since they are far from the solution.
   for (int step = 0; step < most_steps && worst > small_enough; ++step) {
@@ -26,16 +26,17 @@ double make_patch_exact(WeightedNodes<D>& nodes) {
 }
 
 template <int D>
-void balance_weights(WeightedNodes<D>& nodes, double most_change, double balanced) {
-  PatchTest<D> test(nodes, most_change, regularisation);
+void balance_weights(WeightedNodes<D>& nodes, double most_change, double balanced,
+                     scheduler::Workers& workers) {
+  PatchTest<D> test(nodes, workers, most_change, regularisation);
   for (int step = 0; step < most_steps_of_balance && test.worst() > balanced; ++step) {
     if (!test.improve(0, iterations_of_balance)) return;
   }
 }
 
-template void balance_weights<2>(WeightedNodes<2>&, double, double);
-template void balance_weights<3>(WeightedNodes<3>&, double, double);
-template double make_patch_exact<2>(WeightedNodes<2>&);
-template double make_patch_exact<3>(WeightedNodes<3>&);
+template void balance_weights(WeightedNodes<2>&, double, double, scheduler::Workers&);
+template void balance_weights(WeightedNodes<3>&, double, double, scheduler::Workers&);
+template double make_patch_exact(WeightedNodes<2>&, scheduler::Workers&);
+template double make_patch_exact(WeightedNodes<3>&, scheduler::Workers&);
 
 }  // namespace pliant::point_based

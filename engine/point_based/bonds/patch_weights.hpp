@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/point_based/bonds/weighted_nodes.hpp"
+#include "scheduler/workers.hpp"
 
 namespace pliant::point_based {
 
@@ -20,17 +21,18 @@ inline std::vector<double> factors_of(const std::vector<double>& now,
 /// (PB.17). The sums of V I and of a_i X_i^T must be equal. Returns the largest remaining force on
 /// a node, in units of the stress times V^((D-1)/D).
 template <int D>
-double make_patch_exact(WeightedNodes<D>& nodes);
+double make_patch_exact(WeightedNodes<D>& nodes, scheduler::Workers& workers);
 
 /// Changes the weights so that a uniform stress exerts little force on nodes that are not held,
 /// (PB.61), at most `balanced` in units of the stress times V^((D-1)/D) if a few steps suffice. No
 /// weight changes by more than the factor `most_change`, or its inverse.
 template <int D>
-void balance_weights(WeightedNodes<D>& nodes, double most_change, double balanced);
+void balance_weights(WeightedNodes<D>& nodes, double most_change, double balanced,
+                     scheduler::Workers& workers);
 
-extern template void balance_weights<2>(WeightedNodes<2>&, double, double);
-extern template void balance_weights<3>(WeightedNodes<3>&, double, double);
-extern template double make_patch_exact<2>(WeightedNodes<2>&);
-extern template double make_patch_exact<3>(WeightedNodes<3>&);
+extern template void balance_weights(WeightedNodes<2>&, double, double, scheduler::Workers&);
+extern template void balance_weights(WeightedNodes<3>&, double, double, scheduler::Workers&);
+extern template double make_patch_exact(WeightedNodes<2>&, scheduler::Workers&);
+extern template double make_patch_exact(WeightedNodes<3>&, scheduler::Workers&);
 
 }  // namespace pliant::point_based

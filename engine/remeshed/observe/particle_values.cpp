@@ -69,7 +69,7 @@ double field_value(const Body<T, D>& body, const FieldStore<T, D>& fields, const
   if (field == "density") return density<T, D>(fields, slot) / body.mass_scaling;
   if (field.find("stress") != field.npos) {
     std::array<double, kernels::symmetric_components<D>> known;
-    std::ranges::copy(stress<T, D>(body, fields, slot), known.begin());
+    std::ranges::copy(stress_of<T, D>(body, fields, slot), known.begin());
     return stress_value(full_stress<D>(known, pressure<T, D>(body, fields, slot)), field);
   }
   const int axis = last_axis(field);

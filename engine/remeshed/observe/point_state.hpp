@@ -82,9 +82,9 @@ T pressure(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t 
 
 /// sigma of (RP.2) [Pa], in the order of symmetric_index.
 template <class T, int D>
-std::array<T, kernels::symmetric_components<D>> stress(const Body<T, D>& body,
-                                                       const FieldStore<T, D>& fields,
-                                                       std::int64_t slot) {
+std::array<T, kernels::symmetric_components<D>> stress_of(const Body<T, D>& body,
+                                                          const FieldStore<T, D>& fields,
+                                                          std::int64_t slot) {
   const kernels::Material<T>& material = body.material;
   const T relaxed = memory_pressure<T, D>(fields, slot);
   return by_law<T, D>(material, fields, slot, [&]<class Law>(const auto& carried, const auto& rho) {

@@ -17,13 +17,24 @@ using Vector3 = Eigen::Vector3d;
 struct Patch : testing::Test {
   TemporaryFolder folder;
 
-  PointSolver<3> solver(const std::string& gradient) const {
+  PointSolver<3> solver(const std::string& gradient, int threads = 1) const {
     write(unit_block<3>(5), folder / "block.vtk");
     const std::string text =
         tests::with(meshed_block(folder / "block.vtk"), "finite_elements", "point_based");
     return PointSolver<3>(
         tests::read_text(text, {"time.step=1e-9", "point_based.gradient=" + gradient}),
-        {1, kernels::widest_supported()});
+        {threads, kernels::widest_supported()});
+  }
+
+  static std::vector<double> weights_of(PointSolver<3> solver) {
+    std::vector<double> weights;
+    const auto& body = solver.state().bodies[0];
+    body.for_each_node([&](std::int64_t slot) {
+      body.for_each_bond(
+          body.block_of(slot), slot,
+          [&](int, std::int64_t, const Point<3>&, double w) { weights.push_back(w); });
+    });
+    return weights;
   }
 
   /// The largest spurious force over |P| V^(2/3).
@@ -78,6 +89,12 @@ TEST_F(Patch, weights_that_pass_it_leave_no_force_inside_and_that_of_the_stress_
 TEST_F(Patch, weights_that_balance_it_leave_a_few_hundredths_of_the_force) {
   auto balanced = solver("moving_least_squares");
   EXPECT_LT(error(balanced), 0.05);
+}
+
+TEST_F(Patch, weights_do_not_depend_on_the_number_of_threads) {
+  for (const std::string gradient : {"patch_exact", "moving_least_squares"}) {
+    EXPECT_EQ(weights_of(solver(gradient, 3)), weights_of(solver(gradient))) << gradient;
+  }
 }
 
 TEST_F(Patch, a_body_whose_nodes_are_not_on_its_surface_is_refused) {
