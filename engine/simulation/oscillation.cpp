@@ -14,14 +14,14 @@ namespace {
 using Samples = std::span<const double>;
 
 /// A passage of the level about which a history oscillates.
-struct Crossing {
+struct Passage {
   double time;
   std::size_t after;  ///< first sample on the other side
 };
 
 struct Oscillation {
   double level;
-  std::vector<Crossing> crossings;
+  std::vector<Passage> crossings;
   bool starts_at_level;
 };
 
@@ -106,7 +106,7 @@ Oscillation oscillation(Samples time, Samples value) {
 }  // namespace
 
 double oscillation_period(std::span<const double> time, std::span<const double> value) {
-  const std::vector<Crossing> crossings = oscillation(time, value).crossings;
+  const std::vector<Passage> crossings = oscillation(time, value).crossings;
   if (crossings.size() < 2) return no_value;
   return 2 * (crossings.back().time - crossings.front().time) /
          static_cast<double>(crossings.size() - 1);
