@@ -24,7 +24,7 @@ class Estimates(ProgramTest):
                 ("liver_aspiration", "time.end=0.02"),
                 ("block_cut", "discretisation.spacing=0.002", "time.end=0.002"),
                 ("edge_cut", "discretisation.spacing=1/200", "time.end=0.01"),
-                ("two_spheres", "method=point_based", "discretisation.spacing=1/60", "time.end=0.003")):
+                ("two_spheres", "method=point_based", "discretisation.spacing=1/40", "time.end=0.003")):
             arguments = [SOURCE / "cases" / case]
             for setting in settings:
                 arguments += ["--set", setting]

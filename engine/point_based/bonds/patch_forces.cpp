@@ -7,22 +7,14 @@ namespace {
 constexpr std::size_t most_parts = 16;
 constexpr double few = 1e-6;  // relative to the largest eigenvalue of a block
 
-/// The components a <= b of v v^T.
+/// The components a <= b of v v^T, those off the diagonal times `off_diagonal`. With 2, their
+/// product with the pairs of u is (u . v)^2.
 template <int D>
-Eigen::Matrix<double, D*(D + 1) / 2, 1> pairs_of(const Eigen::Matrix<double, D, 1>& v) {
+Eigen::Matrix<double, D*(D + 1) / 2, 1> pairs_of(const Eigen::Matrix<double, D, 1>& v,
+                                                 double off_diagonal = 1) {
   Eigen::Matrix<double, D*(D + 1) / 2, 1> pairs;
   for (int a = 0, k = 0; a < D; ++a) {
-    for (int b = a; b < D; ++b) pairs[k++] = v[a] * v[b];
-  }
-  return pairs;
-}
-
-/// (u . v)^2 is this times the pairs of u.
-template <int D>
-Eigen::Matrix<double, D*(D + 1) / 2, 1> doubled_pairs_of(const Eigen::Matrix<double, D, 1>& v) {
-  Eigen::Matrix<double, D*(D + 1) / 2, 1> pairs;
-  for (int a = 0, k = 0; a < D; ++a) {
-    for (int b = a; b < D; ++b) pairs[k++] = (a == b ? 1 : 2) * v[a] * v[b];
+    for (int b = a; b < D; ++b) pairs[k++] = (a == b ? 1 : off_diagonal) * v[a] * v[b];
   }
   return pairs;
 }
@@ -78,7 +70,7 @@ void PatchForces<D>::make_parts() {
   }
 }
 
-/// Calls f(i, part) for every node, in parallel over parts, whose forces and blocks are 0 before.
+/// Calls f(i, part) for every node, in parallel over parts, whose forces are 0 before.
 template <int D>
 template <class F>
 void PatchForces<D>::for_each_part(F&& f) {
@@ -114,8 +106,8 @@ auto PatchForces<D>::inverse_block(std::size_t i, const Matrix& block) const -> 
 
 template <int D>
 void PatchForces<D>::evaluate() {
+  for (Part& part : parts_) std::ranges::fill(part.block, Pairs::Zero());
   for_each_part([this](std::size_t i, Part& part) {
-    if (i == part.first) std::ranges::fill(part.block, Pairs::Zero());
     find_gradient(i);
     add_forces(i, part);
     add_blocks(i, part);
@@ -173,13 +165,13 @@ void PatchForces<D>::add_blocks(std::size_t i, Part& part) const {
     moments += pairs_of<D>(bond.weight * bond.u) * pairs_of<D>(bond.u).transpose();
     sum += bond.weight / nodes_.volumes[i] * bond.x;
   }
-  Pairs own = moments * doubled_pairs_of<D>(sum);
+  Pairs own = moments * pairs_of<D>(sum, 2);
   for (std::int64_t k = first_[i]; k < first_[i + 1]; ++k) {
     const Bond& bond = bonds_[k];
     const double weight = bond.weight / nodes_.volumes[i];
     const Pairs square = pairs_of<D>(bond.weight * bond.u);
     own += (1 - 2 * bond.u.dot(sum)) * square;
-    part.block[bond.node - part.lowest] += weight * weight * moments * doubled_pairs_of<D>(bond.x) +
+    part.block[bond.node - part.lowest] += weight * weight * moments * pairs_of<D>(bond.x, 2) +
                                            (1 - 2 * weight * bond.u.dot(bond.x)) * square;
   }
   part.block[i - part.lowest] += own;
