@@ -31,6 +31,7 @@ class PolynomialFit {
   /// Returns false where the values do not determine the polynomials.
   bool solve() {
     constexpr double singular = 1e-9;
+    static_assert(terms <= 10 && V < 10, "the largest system of solve_definite");
     Eigen::Matrix<double, terms, V + 1> right;
     right << right_, Eigen::Matrix<double, terms, 1>::Unit(0);
     const std::optional<MatrixOfAtMost<10>> solved = solve_definite(normal_, right, singular);

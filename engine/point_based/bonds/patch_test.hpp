@@ -21,7 +21,7 @@ class PatchTest {
  public:
   /// No weight changes by more than the factor `most_change`, or its inverse. Steps that are far
   /// too long become those of Levenberg and Marquardt, with `regularisation` times the mean of the
-  /// diagonal. From then on most are of this kind from the start, as later ones are rarely shorter.
+  /// diagonal. Later plain steps are rarely shorter: they are tried at growing intervals only.
   PatchTest(WeightedNodes<D>& nodes, scheduler::Workers& workers,
             double most_change = std::numeric_limits<double>::infinity(),
             double regularisation = 0);
@@ -53,7 +53,7 @@ class PatchTest {
   PatchForces<D> forces_;
   double most_change_;  ///< of ln c
   double regularisation_;
-  int pause_ = 0;  ///< after a step that was far too long without it [steps]
+  int pause_ = 0;  ///< steps from one trial of a plain step to the next
   int steps_until_trial_ = 0;
   std::vector<Change> changes_;  ///< [bond]
 };
