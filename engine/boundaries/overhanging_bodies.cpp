@@ -51,11 +51,6 @@ bool overhangs(const Case& a_case, const BodyCase& body, const Overhang& sought)
 
 }  // namespace
 
-bool overhangs_a_wall(const Case& a_case, const BodyCase& body) {
-  return a_case.dimension == 2 ? overhangs<2>(a_case, body, held)
-                               : overhangs<3>(a_case, body, held);
-}
-
 bool overhangs_a_slip_wall(const Case& a_case, const BodyCase& body) {
   return a_case.dimension == 2 ? overhangs<2>(a_case, body, sliding)
                                : overhangs<3>(a_case, body, sliding);
@@ -63,8 +58,10 @@ bool overhangs_a_slip_wall(const Case& a_case, const BodyCase& body) {
 
 void warn_of_overhangs(const Case& a_case, std::span<const ThinBodyError> errors,
                        std::vector<std::string>& warnings) {
-  warn_of_thin_bodies(a_case, errors, warnings,
-                      [&](const BodyCase& body) { return overhangs_a_wall(a_case, body); });
+  warn_of_thin_bodies(a_case, errors, warnings, [&](const BodyCase& body) {
+    return a_case.dimension == 2 ? overhangs<2>(a_case, body, held)
+                                 : overhangs<3>(a_case, body, held);
+  });
 }
 
 }  // namespace pliant

@@ -8,9 +8,6 @@
 
 namespace pliant {
 
-/// Whether a body overhangs a no-slip wall that holds it.
-bool overhangs_a_wall(const Case& a_case, const BodyCase& body);
-
 /// Whether a body overhangs a slip wall, with a free surface that leans over it by more than 33
 /// degrees.
 bool overhangs_a_slip_wall(const Case& a_case, const BodyCase& body);

@@ -107,7 +107,7 @@ void GhostFitter<T, D>::finish() {
   const Lanes& lanes = scratch_.lanes;
   for (int l = 0; l < waiting_; ++l) {
     Waiting& ghost = scratch_.waiting[l];
-    if (ghost.near_contact || lanes.fitted[l] == 0) {
+    if (ghost.near_contact || lanes.fitted[l] == 0 || ghost.amplifies(lanes.constrained_sum[l])) {
       fit_alone(ghost);
       continue;
     }
@@ -206,6 +206,10 @@ void GhostFitter<T, D>::fit_alone(Waiting& ghost) {
     T r[D];
     for (int a = 0; a < D; ++a) r[a] = static_cast<T>(i.position[a]);
     sum += kernels::fit_coefficients(terms, r, static_cast<T>(i.surface_distance)).constrained;
+  }
+  if (ghost.amplifies(sum)) {
+    ghost.curved = 0;
+    return fit_alone(ghost);
   }
   append(ghost, terms, sum);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "engine/remeshed/ghosts/fit_search.hpp"
@@ -12,7 +13,7 @@ namespace pliant::remeshed {
 ///
 /// Ghosts wait until there is one for each lane of a pack. Some are fitted again one by one: near
 /// contact walls, with less reach along the surface, and if the particles within R do not determine
-/// a fit, with more particles or fewer terms.
+/// a fit, or hardly, with more particles or fewer terms.
 template <class T, int D>
 class GhostFitter {
  public:
@@ -43,6 +44,10 @@ class GhostFitter {
     bool at_rim;        ///< whether a no-slip wall or a re-entrant corner is near
     bool near_contact;  ///< whether a contact wall is near
     FitParticles<D> particles;
+
+    /// Whether the curved fit is nearly undetermined, as in sharp corners of few particles, where
+    /// it would need shorter steps: its coefficients have the sum `sum`, (RP.44).
+    bool amplifies(T sum) const { return curved > 0 && std::abs(sum) > 10 * site.surface_distance; }
   };
   /// Arguments of the kernel, [entry] or [lane] as in SurfaceFits.
   struct Lanes {

@@ -12,6 +12,14 @@ namespace {
 
 constexpr double meeting = 3;  // [h] surfaces farther from a wall do not meet it
 
+// Whether a surface that meets a wall leans over it, but does not lie on it. `lean` is the sine of
+// the angle between the surface and the normal of the wall.
+bool overhangs(double lean) { return lean > 0.05 && lean < 0.95; }
+
+// phi [h] at the rim of a body that overhangs a no-slip wall. The stress is singular there, and
+// spread over a spacing it holds less than it should: the wall holds more of the body instead.
+double phi_at_rim(double lean) { return -std::min(lean, 0.35) * std::sqrt(1 - lean * lean); }
+
 }  // namespace
 
 template <class T, int D>
@@ -70,7 +78,8 @@ double WallExtension<T, D>::continued(const Point<D>& x, const Boundaries<D>& bo
 // it, with the curvature of the initial surface. Only a surface that meets the wall continues
 // behind it; far from one, phi keeps its value. A surface that faced the wall from the start ends
 // where it touches it, and there the body continues behind the wall. Slopes above 1 are kinks of
-// phi. A no-slip wall holds at least what it held at the start.
+// phi. A no-slip wall holds at least what it held at the start; one that the body overhangs holds
+// what touches it, as if the surface continued along the normal.
 template <class T, int D>
 double WallExtension<T, D>::along_line(const Point<D>& x, const Wall<D>& wall, double depth) const {
   constexpr double facing = 0.7;
@@ -94,10 +103,13 @@ double WallExtension<T, D>::along_line(const Point<D>& x, const Wall<D>& wall, d
   const double slope = std::clamp(rise, -steepest, steepest);
   const double on_wall = first + slope * 1.5 * h;
   if (faced && rise > facing && on_wall < 0) return on_wall;
-  const double line = on_wall + slope * depth;
-  if (std::abs(initial_slope) > facing) return line;
   const double start = initial(x);
   const bool met = std::abs(initial_first) <= meeting * h;
+  if (!wall.slips() && met && overhangs(initial_slope)) {
+    return std::min(on_wall + phi_at_rim(initial_slope) * h, start);
+  }
+  const double line = on_wall + slope * depth;
+  if (std::abs(initial_slope) > facing) return line;
   const double value =
       met ? line + start - (initial_first + initial_slope * (1.5 * h + depth)) : line;
   return wall.slips() ? value : std::min(value, start);

@@ -100,14 +100,14 @@ TYPED_TEST(BehindWalls, plane_surfaces_run_on_exactly) {
   EXPECT_GT(behind, 20);
 }
 
-// A disc or ball of 7 m above the wall, cut by it 1 m below its centre.
+// A disc or ball of 7 m, cut by the wall 1 m above its centre.
 TYPED_TEST(BehindWalls, surfaces_keep_the_curvature_that_they_began_with) {
   constexpr int D = TypeParam::dimension;
   const double height = 3.1, radius = 7;
   const Point<D> centre = [] {
     Point<D> c;
     c.fill(0.5);
-    c[1] = 4.1;
+    c[1] = 2.1;
     return c;
   }();
   const auto ball = [&](const Point<D>& x) {
@@ -146,6 +146,27 @@ TYPED_TEST(BehindWalls, surfaces_that_faced_the_wall_from_the_start_end_where_th
       EXPECT_NEAR(value, faced ? touching : std::min(plane(x), at_most), 1e-12);
     });
   }
+}
+
+// (RP.100): behind the wall the surface follows its normal, and the wall holds a part of a spacing
+// beyond the rim.
+TYPED_TEST(BehindWalls, surfaces_that_lean_over_a_wall_stay_at_the_rim) {
+  constexpr int D = TypeParam::dimension;
+  const double height = 3.1;
+  const auto plane = [](const Point<D>& x) { return 0.8 * x[0] - 0.6 * x[1] - 2.6; };
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::fixed),
+                     [&](const Point<D>& x) { return x[1] < height ? 1e3 : plane(x); });
+  nodes.initial.normal = {0.8, -0.6, 0};
+  nodes.initial.point = {2.6 / 0.8, 0, 0};
+  int behind = 0;
+  nodes.for_each_extended([&](Point<D> x, double value) {
+    if (x[1] >= height || std::max(x[0], x[D - 1]) > upper * spacing) return;
+    x[1] = height;
+    if (std::abs(plane(x)) > spacing) return;
+    ++behind;
+    EXPECT_NEAR(value, plane(x) - 0.35 * 0.8 * spacing, 1e-12);
+  });
+  EXPECT_GT(behind, 10);
 }
 
 // (RP.106): remeshing has left no particles behind the wall.
