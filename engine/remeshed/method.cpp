@@ -170,9 +170,9 @@ constexpr ThinBodyError error_between_walls = {
 
 // Measured for discs and balls held by a cap, and for trapezoids, docs/decisions/0091.
 constexpr ThinBodyError errors_over_clamps[] = {
-    {10.5, "it overhangs a wall that holds it, and displacements deviate by up to a factor of two"},
+    {10.5, "it overhangs a wall that holds it, and displacements deviate by up to a factor of 2.2"},
     {17, "displacements deviate by up to 25 %, as it overhangs a wall that holds it"},
-    {50, "displacements deviate by up to 13 %, as it overhangs a wall that holds it"}};
+    {50, "displacements deviate by up to 10 %, as it overhangs a wall that holds it"}};
 
 // Measured for discs between slip walls, docs/decisions/0078.
 constexpr ThinBodyError errors_over_slip_walls[] = {
