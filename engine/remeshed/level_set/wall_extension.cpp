@@ -103,13 +103,13 @@ double WallExtension<T, D>::along_line(const Point<D>& x, const Wall<D>& wall, d
   const double slope = std::clamp(rise, -steepest, steepest);
   const double on_wall = first + slope * 1.5 * h;
   if (faced && rise > facing && on_wall < 0) return on_wall;
-  const double start = initial(x);
   const bool met = std::abs(initial_first) <= meeting * h;
   if (!wall.slips() && met && overhangs(initial_slope)) {
-    return std::min(on_wall + phi_at_rim(initial_slope) * h, start);
+    return std::min(on_wall + phi_at_rim(initial_slope) * h, initial(x));
   }
   const double line = on_wall + slope * depth;
   if (std::abs(initial_slope) > facing) return line;
+  const double start = initial(x);
   const double value =
       met ? line + start - (initial_first + initial_slope * (1.5 * h + depth)) : line;
   return wall.slips() ? value : std::min(value, start);
