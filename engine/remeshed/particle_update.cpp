@@ -18,6 +18,14 @@ namespace {
 /// One copy of the state without the drift, Q of (RP.21), in all slots.
 Resources state(int copy) { return slots(Group::velocity, copy) + slots(Group::material, copy); }
 
+/// r of (RP.23) [c/h]. Loads that last let a zigzag of positions grow, which a force three times as
+/// large holds down (docs/decisions/0092-places-under-lasting-loads.md); bodies that swing freely
+/// lose energy by it.
+template <class T, int D>
+double restoring_share(const Body<T, D>& body) {
+  return body.bears_loads ? 0.3 : 0.1;
+}
+
 /// Sets v = h^d on ghosts, as after a remeshing; needed where a gradient reads it.
 template <class T, int D>
 void set_ghost_volumes(Body<T, D>& body, int block) {
@@ -96,6 +104,7 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
   const DissipationCase& dissipation = settings_.discretisation.dissipation;
   const T rate = kernels::wave_speed_at_rest(body.material) / (16 * work.spacing);
   work.velocity_dissipation = static_cast<T>(dissipation.velocity) * rate;
+  work.restoring_rate = static_cast<T>(16 * restoring_share(body)) * rate;
   work.stress_dissipation = static_cast<T>(dissipation.stress) * rate;
   work.relaxes_shear = relaxes_shear(body);
   work.stage = stage;

@@ -48,6 +48,7 @@ struct Body {
     arguments.spacing = patch.spacing;
     arguments.time_step = time_step;
     arguments.velocity_dissipation = velocity_dissipation;
+    arguments.restoring_rate = restoring_rate;
     arguments.stress_dissipation = stress_dissipation;
     arguments.relaxes_shear = relaxes_shear;
     arguments.stage = number;
@@ -103,7 +104,7 @@ struct Body {
   Material<T> material;
   Kernel kernel = Kernel::quartic_spline_fit;
   Gradient gradient_kind = Gradient::moment_matrix;
-  T velocity_dissipation = T(0.7), stress_dissipation = T(0.3);
+  T velocity_dissipation = T(0.7), stress_dissipation = T(0.3), restoring_rate = T(0.9);
   bool relaxes_shear = true;
   const NeighbourLists<D>* neighbours = nullptr;
   Field<T> mass;

@@ -191,10 +191,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
       velocity_sum * inverse + hooke_inverse<T, D>(body.material, relaxation);
   Rates<D> rates;
   rates.drift = vector_at<T, D>(q.velocity, p);
-  const double return_rate =  // only in 2D
-      (D == 2 ? 0.1 : 0.) / h *
-      std::sqrt((body.material.bulk_modulus + 4. / 3 * body.material.shear_modulus) /
-                body.material.density);
+  const double return_rate = D == 2 ? body.restoring_rate : 0.;
   for (int i = 0; i < D; ++i) {
     const Matrix<D> gradient_of_row = stress_sum[i] * inverse;  // (j, k): d sigma_ij / dx_k
     const double difference = D == 2 ? fourth_difference_at(q.velocity[i], body.patch, segment, p)

@@ -230,15 +230,6 @@ void place_differences(const Scalar<P>* const (&drift)[D], const Segment<D>& seg
   }
 }
 
-/// r of (RP.23), the rate at which particles return to their places on the lattice [1/s].
-template <class P>
-inline P restoring_rate(const Material<Scalar<P>>& material, Scalar<P> spacing) {
-  using T = Scalar<P>;
-  constexpr T share = T(0.1);  // relative to c/h
-  const T modulus = material.bulk_modulus + material.shear_modulus * T(4) / T(3);
-  return P(share / spacing) * xsimd::sqrt(P(modulus / material.density));
-}
-
 /// The strain rate that relaxes the stress, or only its mean, at the rate -kappa delta^4 sigma:
 /// Hooke's law inverted.
 template <class P, int D>

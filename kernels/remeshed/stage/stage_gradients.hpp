@@ -199,7 +199,7 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
   using T = Scalar<P>;
   const StageSweepFields<T, D> fields = stage_sweep_fields<T, D, typename P::arch_type>(stage);
   ChunkDifferences<P, D> damped;
-  const P restoring = restoring_rate<P>(stage.material, stage.spacing);
+  const P restoring(stage.restoring_rate);
   const bool dissipates = stage.velocity_dissipation != 0 || stage.stress_dissipation != 0;
   if (dissipates) {
     swept_differences<P>(fields.field, segment, stage.interior, chunk, damped.swept);
