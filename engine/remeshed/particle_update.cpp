@@ -102,9 +102,10 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
   work.time_step = static_cast<T>(time_step_);
   // The wave speed is that at rest: a present one would be one step late, or that of another body.
   const DissipationCase& dissipation = settings_.discretisation.dissipation;
-  const T rate = kernels::wave_speed_at_rest(body.material) / (16 * work.spacing);
+  const T crossing = kernels::wave_speed_at_rest(body.material) / work.spacing;
+  const T rate = crossing / 16;
   work.velocity_dissipation = static_cast<T>(dissipation.velocity) * rate;
-  work.restoring_rate = static_cast<T>(16 * restoring_share(body)) * rate;
+  work.restoring_rate = static_cast<T>(restoring_share(body)) * crossing;
   work.stress_dissipation = static_cast<T>(dissipation.stress) * rate;
   work.relaxes_shear = relaxes_shear(body);
   work.stage = stage;
