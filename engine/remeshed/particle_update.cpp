@@ -18,12 +18,13 @@ namespace {
 /// One copy of the state without the drift, Q of (RP.21), in all slots.
 Resources state(int copy) { return slots(Group::velocity, copy) + slots(Group::material, copy); }
 
-/// r of (RP.23) [c/h]. Loads that last let a zigzag of positions grow, which a force three times as
-/// large holds down (docs/decisions/0092-places-under-lasting-loads.md); bodies that swing freely
-/// lose energy by it.
+/// r of (RP.23) [c/h]. Loads that last let a zigzag of positions grow, which the force holds down
+/// (docs/decisions/0092-places-under-lasting-loads.md, 0093-solids-under-lasting-loads.md); bodies
+/// that swing freely lose energy by it.
 template <class T, int D>
 double restoring_share(const Body<T, D>& body) {
-  return body.bears_loads ? 0.3 : 0.1;
+  if (body.bears_loads) return 0.3;
+  return D == 2 ? 0.1 : 0;
 }
 
 /// Sets v = h^d on ghosts, as after a remeshing; needed where a gradient reads it.

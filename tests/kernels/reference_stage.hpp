@@ -191,15 +191,14 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
       velocity_sum * inverse + hooke_inverse<T, D>(body.material, relaxation);
   Rates<D> rates;
   rates.drift = vector_at<T, D>(q.velocity, p);
-  const double return_rate = D == 2 ? body.restoring_rate : 0.;
   for (int i = 0; i < D; ++i) {
     const Matrix<D> gradient_of_row = stress_sum[i] * inverse;  // (j, k): d sigma_ij / dx_k
     const double difference = D == 2 ? fourth_difference_at(q.velocity[i], body.patch, segment, p)
                                      : sixth_difference_at(q.velocity[i], body.patch, segment, p);
-    rates.velocity[i] =
-        gradient_of_row.trace() * q.volume[p] / body.mass[p] -
-        body.velocity_dissipation *
-            (difference + return_rate * bending_force_at(q.drift[i], body.patch, segment, p));
+    rates.velocity[i] = gradient_of_row.trace() * q.volume[p] / body.mass[p] -
+                        body.velocity_dissipation *
+                            (difference + body.restoring_rate *
+                                              bending_force_at(q.drift[i], body.patch, segment, p));
   }
   rates.volume = q.volume[p] * gradient.trace();
   const Matrix<D> strain = (gradient + gradient.transpose()) / 2;

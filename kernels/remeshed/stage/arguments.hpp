@@ -66,7 +66,7 @@ struct Stage {
   T spacing;
   T time_step;
   T velocity_dissipation;  ///< kappa_u of (RP.23) [1/s]; 0: none
-  T restoring_rate;        ///< r of (RP.23) [1/s]
+  T restoring_rate;        ///< r of (RP.23) [1/s]; 0: none
   T stress_dissipation;    ///< kappa_sigma of (RP.23) [1/s]; 0: none
   bool relaxes_shear;      ///< with the mean stress, in 2D, (RP.23)
   int stage;               ///< 0..3

@@ -146,11 +146,6 @@ void swept_differences(const Scalar<P>* const (&field)[F], const Segment<D>& seg
   }
 }
 
-/// Whether a force pulls particles back to their places, (RP.23). Bars in 3D that are held bent do
-/// not need it (docs/decisions/0014-bodies-held-bent.md).
-template <int D>
-inline constexpr bool restores_places = D == 2;
-
 /// Which second differences along a line, centred on a slot and on those before and after it,
 /// contribute to the force on the slot: 1 or 0.
 template <class P>

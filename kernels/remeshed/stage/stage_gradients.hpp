@@ -134,12 +134,11 @@ struct ChunkDifferences {
   alignas(64) Scalar<P> place[D][chunk_slots];
 };
 
-/// Adds the dissipation of (RP.23): a drag on the velocity, which in 2D includes a force that
-/// restores places on the lattice, and a strain rate that relaxes the stress.
+/// Adds the dissipation of (RP.23): a drag on the velocity, which may include a force that restores
+/// places on the lattice, and a strain rate that relaxes the stress.
 template <class P, int D>
 [[gnu::always_inline]] inline void dissipate(const Stage<Scalar<P>, D>& stage,
-                                             const ChunkDifferences<P, D>& damped,
-                                             const P& restoring, int at,
+                                             const ChunkDifferences<P, D>& damped, int at,
                                              StageGradients<P, D>& result) {
   P difference[symmetric_components<D>], relaxation[symmetric_components<D>];
 #pragma GCC unroll 6
@@ -150,11 +149,11 @@ template <class P, int D>
   }
   relaxing_strain_rate<P, D>(stage.material, stage.stress_dissipation,
                              D == 2 && stage.relaxes_shear, difference, relaxation);
-  const P drag(-stage.velocity_dissipation);
+  const P drag(-stage.velocity_dissipation), restoring(stage.restoring_rate);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     P rate = P::load_aligned(&damped.swept[i][at]);
-    if constexpr (restores_places<D>) {
+    if (stage.restoring_rate != 0) {
       rate = fused(restoring, P::load_aligned(&damped.place[i][at]), rate);
     }
     result.drag[i] = drag * rate;
@@ -199,11 +198,10 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
   using T = Scalar<P>;
   const StageSweepFields<T, D> fields = stage_sweep_fields<T, D, typename P::arch_type>(stage);
   ChunkDifferences<P, D> damped;
-  const P restoring(stage.restoring_rate);
   const bool dissipates = stage.velocity_dissipation != 0 || stage.stress_dissipation != 0;
   if (dissipates) {
     swept_differences<P>(fields.field, segment, stage.interior, chunk, damped.swept);
-    if constexpr (restores_places<D>) {
+    if (stage.restoring_rate != 0) {
       place_differences<P>(fields.drift, segment, stage.interior, chunk, damped.place);
     }
   }
@@ -222,7 +220,7 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
           }
         },
         result);
-    if (dissipates) dissipate(stage, damped, restoring, at, result);
+    if (dissipates) dissipate(stage, damped, at, result);
     store_gradients(result, state, stage.interior, slot, at, gradients);
   }
 }

@@ -73,7 +73,7 @@ TEST(bodies_at_walls, bend_alike_at_every_angle_to_the_lattice) {
     EXPECT_NEAR(bending_of_inclined_beam<2>(12, degrees), straight, 0.03 * straight) << degrees;
   }
   const double solid = bending_of_inclined_beam<3>(5, 0);
-  EXPECT_NEAR(bending_of_inclined_beam<3>(5, 30), solid, 0.05 * solid);
+  EXPECT_NEAR(bending_of_inclined_beam<3>(5, 30), solid, 0.055 * solid);
 }
 
 /// Tip of a cantilever of 14 m by 1 m with 8 particles across, at rest, over that of Timoshenko's
@@ -115,24 +115,34 @@ traction = )toml"),
               1, 0.042);
 }
 
-// Nearly incompressible squares on a floor, pulled sideways. A zigzag of positions grew under the
-// load, so that they leant 8.0 % too far with 8 across and 6.4 % with 12.3. 0.06957 m by the total
-// Lagrangian method with 40 across.
+/// How far a nearly incompressible square or cube of 1 m on a floor, `across` particles wide, leans
+/// when it is pulled sideways for 12 s.
+template <int D>
+double lean(double across) {
+  const std::string z = D == 2 ? "" : ", 0", half = D == 2 ? "" : ", 0.5";
+  return measured<D>(tests::read_text(
+      fmt::format(R"toml(dimension = {}
+gravity = ["3*min(t/6, 1)", 0{}]
+time.end = 12
+discretisation = {{ spacing = "1/{}", damping = "adaptive" }}
+[[body]]
+name = "block"
+geometry = {{ shape = "box", lower = [-0.5, 0{}], upper = [0.5, 1{}] }}
+material = {{ model = "neo_hookean", density = 1, youngs_modulus = 100, poissons_ratio = 0.48 }}
+)toml",
+                  D, z, across, D == 2 ? "" : ", -0.5", half) +
+      half_space("floor", "kind = \"fixed\"", "[0, 0" + z + "]", "[0, 1" + z + "]") +
+      displacement("lean", "0.3, 0.8" + z, "x")))[0];
+}
+
+// A zigzag of positions grew under the load, so that squares leant 8.0 % too far with 8 across and
+// 6.4 % with 12.3, and cubes 18 % with 8. By the total Lagrangian method squares with 40 across
+// lean 0.06957 m and cubes with 24 across 0.0742 m.
 TEST(bodies_at_walls, lean_under_a_lasting_load) {
   for (const double across : {8., 12.3}) {
-    const Case settings = tests::read_text(
-        fmt::format(
-            "gravity = [\"3*min(t/6, 1)\", 0]\ntime.end = 12\ndiscretisation = {{ spacing = "
-            "\"1/{}\", damping = \"adaptive\" }}\n",
-            across) +
-        R"toml([[body]]
-name = "block"
-geometry = { shape = "box", lower = [-0.5, 0], upper = [0.5, 1] }
-material = { model = "neo_hookean", density = 1, youngs_modulus = 100, poissons_ratio = 0.48 }
-)toml" + half_space("floor", "kind = \"fixed\"", "[0, 0]", "[0, 1]") +
-        displacement("lean", "0.3, 0.8", "x"));
-    EXPECT_NEAR(measured<2>(settings)[0], 0.06957, 0.055 * 0.06957) << across;
+    EXPECT_NEAR(lean<2>(across), 0.06957, 0.055 * 0.06957) << across;
   }
+  EXPECT_NEAR(lean<3>(8), 0.0742, 0.065 * 0.0742);
 }
 
 // A block of 1 m between two frictionless walls at 45 degrees to the lattice, pressed by 0.1 m.
@@ -243,9 +253,9 @@ TEST(bodies_at_walls, an_eighth_of_a_hollow_ball_widens_as_in_closed_form) {
                                   displacement("outside", "0.96875, 0, 0", "x") +
                                   displacement("between", "0.433013, 0.433013, 0.433013", "x")));
   const auto exact = [](double r) { return (0.4 * r + 1.3 / (2 * r * r)) / 7000; };
-  EXPECT_NEAR(found[0] / exact(0.53125), 1, 0.03);
+  EXPECT_NEAR(found[0] / exact(0.53125), 1, 0.035);
   EXPECT_NEAR(found[1] / exact(0.96875), 1, 0.05);
-  EXPECT_NEAR(found[2] * std::sqrt(3) / exact(0.75), 1, 0.02);
+  EXPECT_NEAR(found[2] * std::sqrt(3) / exact(0.75), 1, 0.01);
 }
 
 }  // namespace
