@@ -10,6 +10,7 @@
 #include "engine/remeshed/ghosts/present_foot.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/remeshed/ghosts/rigid_velocity.hpp"
+#include "engine/remeshed/ghosts/rim_ghosts.hpp"
 #include "engine/remeshed/ghosts/wall_site.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
 
@@ -228,7 +229,11 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
     fill.fill_in_contact();
     if (removes_lasting_correction(body, around.boundaries))
       remove_lasting_correction(ghosts, count, fill.state);
-    if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
+    if (treatment == GhostTreatment::linear) {
+      fill_rim_ghosts(body, ghosts, count, around, fill.state);
+    } else {
+      fill.turn_rigidly();
+    }
   }
   fill.fill_walls(around, treatment == GhostTreatment::averaged, work);
 }

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 
 #include "engine/lattice/column.hpp"
 #include "engine/remeshed/ghosts/lasting_correction.hpp"
 #include "engine/remeshed/ghosts/overhung_wall.hpp"
+#include "engine/remeshed/ghosts/rim_ghosts.hpp"
 #include "engine/storage/push_tightly.hpp"
 #include "kernels/remeshed/ghosts/fit_coefficients.hpp"
 
@@ -78,11 +80,12 @@ void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const 
   Waiting& ghost = scratch_.waiting[waiting_++];
   ghost.site = site;
   ghost.wall = wall;
-  // The curved fit overshoots where the solution is singular: at walls that hold the body, where
-  // they meet the free surface, and at re-entrant corners. A slip wall is a plane of symmetry,
-  // without a corner unless the surface leans over it.
-  const bool is_curved =
-      wall == nullptr && wall_distance > fit_radius && corner_distance > corner_reach;
+  // The curved fit overshoots where the solution is singular: where walls that hold the body meet
+  // the free surface, and at re-entrant corners. A slip wall is a plane of symmetry, without a
+  // corner unless the surface leans over it.
+  const bool is_curved = wall == nullptr
+                             ? wall_distance > fit_radius && corner_distance > corner_reach
+                             : has_curved_fit(*wall, foot);
   ghost.curved = is_curved ? share_of_curved_fit(body_) : 0;
   ghost.at_rim = wall == nullptr && (wall_distance < rim_reach_ || corner_distance < corner_reach);
   for (int a = 0; a < D; ++a) {
@@ -93,6 +96,13 @@ void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const 
   if (ghost.near_contact) ghost.reach.narrowing = narrowing;
   search_.find(ghost.centre, ghost.reach, wall, ghost.particles);
   if (waiting_ == pack) finish();
+}
+
+// Lasting loads curve the displacement over the distance from a wall.
+template <class T, int D>
+bool GhostFitter<T, D>::has_curved_fit(const Wall<D>& wall, const Point<D>& foot) const {
+  return body_.bears_loads && wall.is_attached() && std::isinf(wall.friction()) &&
+         level_set_.phi_at(foot) < -fit_radius * body_.lattice.spacing;
 }
 
 template <class T, int D>
@@ -268,6 +278,15 @@ void GhostFitter<T, D>::append(const Waiting& ghost, const Terms& terms, T const
   push_tightly(ghosts_.terms, terms);
   push_tightly(ghosts_.constrained_sum, constrained_sum);
   push_tightly(ghosts_.surface_sum, ghost.at_rim || ghost.particles.empty() ? T(0) : T(1));
+  if (ghost.at_rim && body_.bears_loads) {
+    Point<D> foot;
+    for (int a = 0; a < D; ++a) {
+      foot[a] = body_.lattice.origin[a] + (ghost.centre[a] + 0.5) * body_.lattice.spacing;
+    }
+    const auto number = static_cast<std::int32_t>(ghosts_.terms.size() - 1);
+    list_at_rim<T, D>({number, foot, ghost.site, ghost.particles, terms}, body_.lattice, level_set_,
+                      boundaries_, ghosts_);
+  }
   const auto wall_begin = static_cast<std::int64_t>(ghosts_.wall_distance.size());
   push_tightly(ghosts_.wall_begin, ghost.wall == nullptr ? std::int64_t{-1} : wall_begin);
   for (const FitParticle<D>& i : ghost.particles) {

@@ -47,7 +47,9 @@ class GhostFitter {
 
     /// Whether the curved fit is nearly undetermined, as in sharp corners of few particles, where
     /// it would need shorter steps: its coefficients have the sum `sum`, (RP.44).
-    bool amplifies(T sum) const { return curved > 0 && std::abs(sum) > 10 * site.surface_distance; }
+    bool amplifies(T sum) const {
+      return curved > 0 && std::abs(sum) > 10 * std::abs(site.surface_distance);
+    }
   };
   /// Arguments of the kernel, [entry] or [lane] as in SurfaceFits.
   struct Lanes {
@@ -65,6 +67,7 @@ class GhostFitter {
   };
   static Scratch& scratch();
 
+  bool has_curved_fit(const Wall<D>& wall, const Point<D>& foot) const;
   void fill_lanes(int length);
   void fill_lane(int lane, int length);
   void fit_lanes(int length);

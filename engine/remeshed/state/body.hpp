@@ -90,8 +90,15 @@ struct BlockGhosts {
   std::vector<std::int32_t> contact;
   /// [contact] height of the surface above the wall, with xi = 0 and the wall at t = 0, (RP.52) [m]
   std::vector<double> contact_height;
-  std::vector<double> contact_area;    ///< [contact] share of the wall, (RP.65) [m^(D-1)]
-  ContactPoints<T, D> contact_points;  ///< with other bodies
+  std::vector<double> contact_area;  ///< [contact] share of the wall, (RP.65) [m^(D-1)]
+  /// Ghosts of the free surface behind a no-slip wall, (RP.116), in the order of the ghosts.
+  std::vector<std::int32_t> rim_ghost;
+  std::vector<std::int8_t> rim_wall;  ///< [rim ghost] the wall
+  std::vector<T> rim_share;           ///< [rim ghost] part of the velocity that it determines
+  std::vector<Point<D>> rim_point;    ///< [rim ghost] x_w of (RP.114) [m]
+  std::vector<std::array<T, D>> rim_normal;        ///< [rim ghost] of the wall, at the remeshing
+  std::vector<kernels::FitTerms<T, D>> rim_terms;  ///< [rim ghost] b of (RP.46)
+  ContactPoints<T, D> contact_points;              ///< with other bodies
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;
 
@@ -123,6 +130,12 @@ struct BlockGhosts {
     f(Field::contact, &G::contact);
     f(Field::contact_height, &G::contact_height);
     f(Field::contact_area, &G::contact_area);
+    f(Field::rim_ghost, &G::rim_ghost);
+    f(Field::rim_wall, &G::rim_wall);
+    f(Field::rim_share, &G::rim_share);
+    f(Field::rim_point, &G::rim_point);
+    f(Field::rim_normal, &G::rim_normal);
+    f(Field::rim_terms, &G::rim_terms);
   }
 
   /// Ends the ghosts that come first.
