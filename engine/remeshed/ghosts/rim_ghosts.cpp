@@ -106,9 +106,11 @@ void fill_rim_ghosts(const Body<T, D>& body, BlockGhosts<T, D>& ghosts, std::siz
     for (std::int64_t i = ghosts.begin[g]; i < ghosts.begin[g + 1]; ++i) {
       const FittedParticle<T, D> particle(ghosts, g, i);
       const T b = coefficient<T, D>(ghosts.rim_terms[k], particle.r, ghosts.rim_normal[k]);
-      const std::int64_t q = body.population.slot_of_record[kernels::record_of(ghosts.pairs[i])];
+      const kernels::RecordSum<T, D> record{
+          body.records.get() + static_cast<std::int64_t>(kernels::record_of(ghosts.pairs[i])) *
+                                   kernels::record_width<D>};
       for (int a = 0; a < D; ++a) {
-        change[a] += b * (state.get(Field::velocity, a)[q] - static_cast<T>(wall[a]));
+        change[a] += b * (record.velocity(a) - static_cast<T>(wall[a]));
       }
     }
     for (int a = 0; a < D; ++a) {
